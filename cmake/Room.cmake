@@ -1,0 +1,21 @@
+# Flags that all our code shares. Contraction is off so that absent and present-at-zero effects give the same bits.
+add_library(shmoo_flags INTERFACE)
+target_compile_options(shmoo_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off)
+if(SHMOO_ARCH)
+  target_compile_options(shmoo_flags INTERFACE -march=${SHMOO_ARCH})
+endif()
+if(SHMOO_SANITIZE)
+  target_compile_options(shmoo_flags INTERFACE -fsanitize=${SHMOO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(shmoo_flags INTERFACE -fsanitize=${SHMOO_SANITIZE})
+endif()
+
+# shmoo_room(NAME USES TARGET...): one static library for src/NAME.
+function(shmoo_room name)
+  cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  add_library(shmoo_${name} STATIC ${sources})
+  add_library(shmoo::${name} ALIAS shmoo_${name})
+  target_include_directories(shmoo_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(shmoo_${name} PUBLIC ${ROOM_USES} PRIVATE shmoo_flags)
+endfunction()

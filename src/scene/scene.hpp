@@ -1,0 +1,240 @@
+#pragma once
+// What the user said, in SI units and with names resolved to indices. Computes nothing. Lengths [m], times [s], masses [kg],
+// amounts in molecules (pure numbers). In a scene of fewer than three dimensions `depth` is what one particle stands for in
+// the missing ones: [m] in 2-D, [m^2] in 1-D.
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace shmoo::scene {
+
+using Point = std::array<double, 3>;  // [m]; unused trailing components are 0
+
+// ---- geometry ------------------------------------------------------------------------------------------------------
+struct Shape;
+using ShapePointer = std::shared_ptr<const Shape>;
+
+struct BoxShape { Point lower{}, upper{}; };
+struct BallShape { Point center{}; double radius = 0; };                 // "disk" in 2-D
+struct ShellShape { Point center{}; double inner = 0, outer = 0; };      // "ring" in 2-D; radii
+struct HalfSpaceShape { Point point{}, normal{}; };                      // the side the normal points away from is inside
+struct PolygonShape { std::vector<std::array<double, 2>> corners; };     // 2-D; even-odd rule
+struct UnionShape { std::vector<ShapePointer> parts; };
+struct DifferenceShape { ShapePointer from, without; };
+
+struct Shape {
+  std::variant<BoxShape, BallShape, ShellShape, HalfSpaceShape, PolygonShape, UnionShape, DifferenceShape> form;
+};
+
+// True where the point lies inside or on the lower side of the boundary (boxes are half-open: lower <= x < upper).
+bool contains(const Shape& shape, const Point& point, int dimension);
+
+enum class MaterialType {
+  fluid,   // flows where the flow is on
+  wall,    // rigid; no-slip for the fluid
+  still,   // never moves and does not act on a fluid's motion: gels, slabs, wells of pure chemistry
+};
+
+// A rigid motion: velocity + angular_velocity x (position - center). In 2-D the angular velocity has a z component only.
+struct RigidMotion {
+  Point velocity{};          // [m/s]
+  Point angular_velocity{};  // [1/s]
+  Point center{};            // [m]
+};
+
+struct Material {
+  std::string name;
+  MaterialType type = MaterialType::fluid;
+  double density = 0;                           // [kg/m^3], fluids; 0 where the scene has no flow
+  double viscosity = 0;                         // [Pa s], dynamic shear viscosity, fluids
+  double bulk_viscosity = 0;                    // [Pa s], zeta, fluids
+  std::optional<RigidMotion> motion;            // walls: particles move
+  std::optional<RigidMotion> surface_motion;    // walls: the surface slides, particles stay
+};
+
+struct Region {
+  ShapePointer shape;
+  int material = 0;  // index into Scene::materials
+  base::Location where;
+};
+
+// ---- domain --------------------------------------------------------------------------------------------------------
+enum class SideType { periodic, wall, reflect };  // wall: no-slip for the fluid and reflecting for species
+
+struct Side {
+  SideType type = SideType::reflect;
+  Point velocity{};  // [m/s] sliding velocity of a wall side
+};
+
+struct Domain {
+  Point lower{}, upper{};                      // [m]
+  double spacing = 0;                          // [m]
+  std::array<std::array<Side, 2>, 3> sides{};  // [axis][0 = min, 1 = max]
+  int material = -1;                           // what fills all that no region covers; -1: nothing
+  double jitter = 0;                           // random displacement of each starting position, in spacings (uniform in +-jitter per axis)
+};
+
+// ---- chemistry -----------------------------------------------------------------------------------------------------
+enum class SpeciesMethod { deterministic, stochastic };
+
+// A number or an expression. Expressions see x, y, z [m], t [s], every parameter (SI) and, in rate laws, every species by
+// name as a concentration [molecules/m^3].
+struct Quantity {
+  double value = 0;        // SI
+  std::string expression;  // used where not empty
+};
+
+struct Species {
+  std::string name;
+  std::vector<int> homes;  // materials, ascending
+  double diffusivity = 0;  // [m^2/s]
+  SpeciesMethod method = SpeciesMethod::stochastic;
+};
+
+// Initial amount of a species: a concentration, or a total count spread uniformly over the volume it covers.
+// Later entries overwrite earlier ones where they overlap.
+struct Initial {
+  int species = 0;
+  int material = -1;                    // only in this material; -1: in all homes
+  ShapePointer shape;                   // only inside; null: everywhere
+  Quantity concentration;               // [molecules/m^3]
+  std::optional<double> count;          // molecules in total; then `concentration` is not used
+};
+
+struct Term { int species = 0; int count = 1; };
+
+// One direction of a reaction. v = rate constant * prod C^nu, or the expression; reaction events per volume and time.
+struct Reaction {
+  std::string name;             // as written, with "(forward)" or "(backward)" where both exist
+  std::vector<Term> reactants;  // merged by species, ascending
+  std::vector<Term> products;
+  double rate_constant = 0;     // [(molecules/m^3)^(1-m)/s], m = sum of reactant counts
+  std::string expression;       // custom law for v [molecules/(m^3 s)], where not empty
+  std::vector<int> materials;   // runs only in these; empty: wherever all its species live
+};
+
+enum class BoundaryType { reflect, fixed, flux, absorb };
+
+struct SpeciesBoundary {
+  int species = 0;
+  int axis = -1, side = 0;  // a side of the domain, or
+  int material = -1;        // the surface of a material
+  BoundaryType type = BoundaryType::reflect;
+  double value = 0;         // fixed: [molecules/m^3]; flux into the domain: [molecules/(m^2 s)]
+  base::Location where;
+};
+
+// ---- flow ----------------------------------------------------------------------------------------------------------
+// A sponge: dq/dt = -(q - target) phi(x)/relaxation_time, phi rises from 0 to 1 across the zone along the flow (thesis
+// Eq. 2.36 with B = 1 and n = ramp_exponent; phi = 1 everywhere for exponent 0).
+struct Inflow {
+  ShapePointer zone;                            // a box
+  std::optional<Point> velocity;                // [m/s]
+  std::vector<std::pair<int, double>> species;  // species, target concentration [molecules/m^3]
+  std::optional<double> relaxation_time;        // [s]; derived where absent
+  int ramp_exponent = 0;
+};
+
+struct Flow {
+  std::optional<Point> body_force;                 // [m/s^2], acceleration
+  std::vector<Quantity> initial_velocity;          // [m/s], one per axis; empty: at rest
+  std::optional<double> reference_speed;           // [m/s]
+  std::optional<double> reference_length;          // [m]
+  std::optional<double> sound_speed;               // [m/s]
+  double density_variation = 0.01;                 // allowed
+  double background_pressure = 0;                  // [Pa]
+  std::optional<double> thermal_energy;            // [J], kT
+};
+
+// What the scene calls for. Anything false is not computed at all.
+struct Effects {
+  bool flow = false;               // the fluid moves
+  bool viscosity = true;
+  bool density_diffusion = true;
+  bool transport_velocity = true;  // shifting towards even spacing
+  bool bounce_back = true;         // boundary-volume-fraction guard at walls
+  bool thermal_noise = false;
+  bool species_advection = true;   // the flow carries species (also the exchange under the transport velocity)
+};
+
+// ---- how -----------------------------------------------------------------------------------------------------------
+enum class Kernel { lucy, cubic_spline, quintic_spline, wendland_c2 };
+enum class PressureForm { symmetric, difference };
+enum class Sampler { direct, composition_rejection, split };
+enum class Splitting { lie, strang };
+
+struct Numerics {
+  Kernel kernel = Kernel::wendland_c2;
+  double reach = 3.0;                            // kernel support in spacings
+  PressureForm pressure = PressureForm::symmetric;
+  double courant = 0.25;                         // of hs/(c0 + U)
+  Sampler sampler = Sampler::composition_rejection;
+  Splitting splitting = Splitting::strang;
+  std::optional<double> splitting_step;          // [s]; derived where absent
+  double tolerance = 1e-6;                       // relative, of the deterministic chemistry
+  std::optional<double> steady_tolerance;        // relative change of the flow per crossing time below which it is carried; absent: never
+};
+
+enum class ObservableType {
+  count,           // molecules of a species in a material / shape
+  concentration,   // the same divided by the volume that holds it
+  profile,         // concentration along an axis, in bins
+  kinetic_energy,  // [J], fluid
+  max_speed,       // [m/s], fluid
+  temperature,     // [J], kinetic kT of the fluid
+  density_error,   // max |rho/rho0 - 1|
+  min_distance,    // smallest distance of two fluid particles, in spacings
+  velocity_profile // mean velocity component along an axis, in bins
+};
+
+struct Observable {
+  std::string name;
+  ObservableType type = ObservableType::count;
+  int species = -1;
+  int material = -1;    // -1: every home
+  ShapePointer shape;   // null: everywhere
+  int axis = 0;         // of a profile
+  int component = 0;    // of a velocity profile
+  int bins = 0;         // of a profile
+};
+
+struct Run {
+  double until = 0;                         // [s]
+  double record_every = 0;                  // [s]
+  std::vector<double> record_at;            // [s], further times, ascending
+  int realisations = 1;
+  std::uint64_t seed = 1;
+  std::vector<std::string> record;          // fields to keep; empty: all that exist
+  std::vector<double> quantiles{0.05, 0.5, 0.95};
+};
+
+struct Scene {
+  std::string title;
+  std::string file;  // as given
+  std::string text;  // the model file's bytes, overrides applied
+  int dimension = 2;
+  double depth = 1;  // [m] in 2-D, [m^2] in 1-D, 1 in 3-D
+  Domain domain;
+  std::vector<Material> materials;
+  std::vector<Region> regions;
+  std::map<std::string, double> parameters;  // SI
+  std::vector<Species> species;
+  std::vector<Initial> initials;
+  std::vector<Reaction> reactions;
+  std::vector<SpeciesBoundary> boundaries;
+  std::vector<Inflow> inflows;
+  Flow flow;
+  Effects effects;
+  Numerics numerics;
+  std::vector<Observable> observables;
+  Run run;
+};
+
+}  // namespace shmoo::scene

@@ -1,7 +1,8 @@
 # Flags that all our code shares. Contraction is off so that absent and present-at-zero effects give the same bits.
 add_library(shmoo_flags INTERFACE)
 target_compile_options(shmoo_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off)
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off
+  -Wno-maybe-uninitialized)  # false alarms of g++ 12 in aggregate initialisation
 if(SHMOO_ARCH)
   target_compile_options(shmoo_flags INTERFACE -march=${SHMOO_ARCH})
 endif()
@@ -14,6 +15,13 @@ endif()
 function(shmoo_room name)
   cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  if(NOT sources)
+    add_library(shmoo_${name} INTERFACE)
+    target_include_directories(shmoo_${name} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(shmoo_${name} INTERFACE ${ROOM_USES})
+    add_library(shmoo::${name} ALIAS shmoo_${name})
+    return()
+  endif()
   add_library(shmoo_${name} STATIC ${sources})
   add_library(shmoo::${name} ALIAS shmoo_${name})
   target_include_directories(shmoo_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)

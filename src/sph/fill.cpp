@@ -1,0 +1,191 @@
+#include "sph/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/random.hpp"
+
+namespace shmoo::sph {
+namespace {
+
+template <int D>
+using Index = std::array<long, D>;
+
+// The lattice of a scene: how many particles along each axis, and how many layers beyond each side.
+template <int D>
+struct Lattice {
+  Vec<D> lower, step;
+  Index<D> inside{}, layers_low{}, layers_high{};
+
+  Vec<D> place(const Index<D>& k) const {
+    Vec<D> x;
+    for (int a = 0; a < D; ++a) x[a] = lower[a] + (double(k[a]) + 0.5) * step[a];
+    return x;
+  }
+
+  // Calls visit(index) for every point of the lattice, layers included, the first axis running fastest.
+  template <class Visit>
+  void each(Visit visit) const {
+    Index<D> k;
+    for (int a = 0; a < D; ++a) k[a] = -layers_low[a];
+    while (true) {
+      visit(k);
+      int a = 0;
+      while (a < D && ++k[a] == inside[a] + layers_high[a]) {
+        k[a] = -layers_low[a];
+        ++a;
+      }
+      if (a == D) return;
+    }
+  }
+};
+
+template <int D>
+Lattice<D> make_lattice(const scene::Scene& scene, const base::Box<D>& box) {
+  Lattice<D> lattice;
+  lattice.lower = box.lower;
+  for (int a = 0; a < D; ++a) {
+    const double length = box.upper[a] - box.lower[a];
+    lattice.inside[a] = std::max(1L, std::lround(length / scene.domain.spacing));
+    lattice.step[a] = length / double(lattice.inside[a]);
+    if (!scene.effects.flow || box.periodic[a]) continue;
+    lattice.layers_low[a] = lattice.layers_high[a] = static_cast<long>(std::ceil(scene.numerics.reach));
+  }
+  return lattice;
+}
+
+// The side of the domain that a lattice point stands beyond: 2 axis + side, or -1 inside. In corners the last axis
+// rules.
+template <int D>
+int side_beyond(const Lattice<D>& lattice, const Index<D>& k) {
+  int side = -1;
+  for (int a = 0; a < D; ++a) {
+    if (k[a] < 0) side = 2 * a;
+    if (k[a] >= lattice.inside[a]) side = 2 * a + 1;
+  }
+  return side;
+}
+
+template <int D>
+int material_at(const scene::Scene& scene, const Vec<D>& x, std::vector<std::size_t>& received) {
+  scene::Point point{};
+  for (int a = 0; a < D; ++a) point[a] = x[a];
+  for (std::size_t r = scene.regions.size(); r-- > 0;) {
+    if (!scene::contains(*scene.regions[r].shape, point, D)) continue;
+    ++received[r];
+    return scene.regions[r].material;
+  }
+  return scene.domain.material;
+}
+
+Role role_of(scene::MaterialType type) {
+  switch (type) {
+    case scene::MaterialType::fluid:
+      return Role::fluid;
+    case scene::MaterialType::wall:
+      return Role::wall;
+    case scene::MaterialType::still:
+      break;
+  }
+  return Role::still;
+}
+
+template <int D>
+void refuse_empty(const scene::Scene& scene, const Filling<D>& filling, const std::vector<std::size_t>& received) {
+  std::vector<base::Diagnostic> mistakes;
+  for (std::size_t r = 0; r < received.size(); ++r) {
+    if (received[r] > 0) continue;
+    const auto& name = scene.materials[static_cast<std::size_t>(scene.regions[r].material)].name;
+    mistakes.push_back({scene.regions[r].where,
+                        fmt::format("this region of '{}' received no particle at a spacing of {:g} m; make the spacing "
+                                    "smaller, the region larger, or do not cover it by a later region",
+                                    name, scene.domain.spacing)});
+  }
+  std::vector<std::size_t> population(scene.materials.size(), 0);
+  for (std::size_t i = 0; i < filling.voxels; ++i) ++population[filling.particles.material[i]];
+  for (const auto& species : scene.species) {
+    const auto lives = [&](int home) { return population[static_cast<std::size_t>(home)] > 0; };
+    for (const int home : species.homes) {
+      if (lives(home)) continue;
+      mistakes.push_back(
+          {{scene.file, 0, 0},
+           fmt::format("species '{}' lives in '{}', which received no particle; fill it with a region or "
+                       "make the spacing smaller",
+                       species.name, scene.materials[static_cast<std::size_t>(home)].name)});
+    }
+  }
+  if (filling.voxels == 0) {
+    mistakes.push_back({{scene.file, 0, 0}, "the domain holds no particle; name domain.material or add a region"});
+  }
+  if (!mistakes.empty()) throw base::InputError(std::move(mistakes));
+}
+
+}  // namespace
+
+template <int D>
+base::Box<D> domain_box(const scene::Domain& domain) {
+  base::Box<D> box;
+  for (int a = 0; a < D; ++a) {
+    box.lower[a] = domain.lower[a];
+    box.upper[a] = domain.upper[a];
+    box.periodic[a] = domain.sides[a][0].type == scene::SideType::periodic;
+  }
+  return box;
+}
+
+template <int D>
+Filling<D> fill(const scene::Scene& scene) {
+  Filling<D> filling{{}, domain_box<D>(scene.domain), {}, 0, 0};
+  const auto lattice = make_lattice<D>(scene, filling.box);
+  filling.spacing = lattice.step;
+  filling.cell = lattice.step.prod();
+  struct Placed {
+    Vec<D> x;
+    std::uint16_t material;
+    Role role;
+  };
+  std::vector<Placed> inside, beyond;
+  std::vector<std::size_t> received(scene.regions.size(), 0);
+  lattice.each([&](const Index<D>& k) {
+    const Vec<D> x = lattice.place(k);
+    const int side = side_beyond<D>(lattice, k);
+    if (side >= 0) {
+      beyond.push_back({x, side_material(scene.materials.size(), side / 2, side % 2), Role::wall});
+      return;
+    }
+    const int material = material_at(scene, x, received);
+    if (material < 0) return;
+    const auto type = scene.materials[static_cast<std::size_t>(material)].type;
+    inside.push_back({x, static_cast<std::uint16_t>(material), role_of(type)});
+  });
+  filling.voxels = inside.size();
+  filling.particles.resize(inside.size() + beyond.size());
+  auto& particles = filling.particles;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Placed& placed = i < inside.size() ? inside[i] : beyond[i - inside.size()];
+    particles.position[i] = placed.x;
+    particles.id[i] = static_cast<std::uint32_t>(i);
+    particles.material[i] = placed.material;
+    particles.role[i] = placed.role;
+    if (placed.role == Role::wall || scene.domain.jitter == 0.0) continue;
+    base::RandomSequence random({scene.run.seed, 0}, base::Stream::placement, 0, static_cast<std::uint32_t>(i));
+    for (int a = 0; a < D; ++a) {
+      particles.position[i][a] += (2.0 * random.uniform() - 1.0) * scene.domain.jitter * lattice.step[a];
+    }
+    particles.position[i] = filling.box.wrap(particles.position[i]);
+  }
+  refuse_empty(scene, filling, received);
+  return filling;
+}
+
+template Filling<1> fill(const scene::Scene&);
+template Filling<2> fill(const scene::Scene&);
+template Filling<3> fill(const scene::Scene&);
+template base::Box<1> domain_box(const scene::Domain&);
+template base::Box<2> domain_box(const scene::Domain&);
+template base::Box<3> domain_box(const scene::Domain&);
+
+}  // namespace shmoo::sph

@@ -1,0 +1,34 @@
+#pragma once
+// Placing the particles of a scene: a lattice of the wanted spacing over the domain, later regions over earlier ones,
+// and where the fluid moves, layers of wall particles beyond every side that is not periodic.
+#include "base/box.hpp"
+#include "scene/scene.hpp"
+#include "sph/particles.hpp"
+
+namespace shmoo::sph {
+
+template <int D>
+struct Filling {
+  Particles<D> particles;
+  base::Box<D> box;
+  base::Vec<D> spacing;    // [m] per axis: the extent divided by a whole number of particles
+  std::size_t voxels = 0;  // particles inside the domain: ids 0 .. voxels-1
+  double cell = 0;         // [m^D] what one particle fills at the start
+};
+
+template <int D>
+base::Box<D> domain_box(const scene::Domain& domain);
+
+// Throws base::InputError where a region or the home of a species receives no particle, or the whole domain stays
+// empty.
+template <int D>
+Filling<D> fill(const scene::Scene& scene);
+
+extern template Filling<1> fill(const scene::Scene&);
+extern template Filling<2> fill(const scene::Scene&);
+extern template Filling<3> fill(const scene::Scene&);
+extern template base::Box<1> domain_box(const scene::Domain&);
+extern template base::Box<2> domain_box(const scene::Domain&);
+extern template base::Box<3> domain_box(const scene::Domain&);
+
+}  // namespace shmoo::sph

@@ -55,6 +55,10 @@ class RandomSequence {
     return high << 32 | (*this)();
   }
 
+  // Writes the next 4 * blocks words: what as many calls would give, but many at a time. To be used at the start of a
+  // sequence or after a multiple of four words.
+  void fill(std::uint32_t* words, std::size_t blocks);
+
   // Uniform in (0, 1), 53 bits, never 0 and never 1.
   double uniform() { return (static_cast<double>(bits64() >> 12) + 0.5) * 0x1p-52; }
 

@@ -32,8 +32,7 @@ inline double jump_rate(const JumpGraph& graph, std::uint64_t p, double kappa, d
 // absorbing or flux side, a sponge, a voxel of a clamped material.
 struct Exchange {
   std::uint32_t voxel = 0;
-  std::uint16_t species = 0;
-  std::uint16_t account = 0;  // index into Voxels::accounts
+  std::uint32_t species = 0;
   double exit_rate = 0;       // [1/s] per molecule
   double entry_rate = 0;      // [molecules/s]
 };

@@ -1,0 +1,64 @@
+#pragma once
+// Where a molecule goes: one row of cumulative probabilities per voxel, searched many entries at a time.
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rdme/network.hpp"
+#include "rdme/voxels.hpp"
+
+namespace shmoo::rdme {
+
+// A row is a run of blocks of one cache line each. Entry k is taken where exactly k thresholds of the row lie below a random
+// word, so that probabilities hold to 2^-32.
+class JumpTable {
+ public:
+  struct alignas(64) Block {
+    std::uint32_t threshold[8];
+    std::uint32_t target[8];
+  };
+
+  // Rows over `voxels` places. Target `voxels` means outside: a row of that number exists and leads to itself.
+  JumpTable(std::size_t voxels, std::size_t pairs);  // sizes to expect
+
+  // Adds the next voxel's row: weights >= 0 in any unit, and where each leads. Those of weight 0 are left out.
+  void add_row(std::span<const double> weights, std::span<const std::uint32_t> targets);
+
+  // Where a molecule of `voxel` goes, by a uniform random word. The row must not be empty.
+  std::uint32_t target(std::size_t voxel, std::uint32_t word) const {
+    const Block* block = blocks_.data() + first_[voxel];
+    const Block* const last = blocks_.data() + first_[voxel + 1] - 1;
+    std::uint32_t k = below(*block, word);
+    while (k == 8 && block != last) k = below(*++block, word);
+    return block->target[k];
+  }
+
+ private:
+  static std::uint32_t below(const Block& block, std::uint32_t word) {
+    std::uint32_t k = 0;
+    for (int i = 0; i < 8; ++i) k += block.threshold[i] < word ? 1U : 0U;
+    return k;
+  }
+
+  std::vector<std::uint32_t> first_;
+  std::vector<Block> blocks_;
+};
+
+enum class Rows {
+  jumps,    // a row holds what leads away, in proportion to its rate
+  uniform,  // every row has the same total rate, the largest of all; what is missing leads back (uniformisation)
+};
+
+// For all stochastic species. Those with equal rows share them.
+struct JumpTables {
+  std::vector<std::shared_ptr<const JumpTable>> of_species;  // null: deterministic, or neither jumps nor leaves anywhere
+  std::vector<double> uniform_rate;  // [1/s] by species: moves of one molecule, Rows::uniform
+  std::vector<double> leave_rate;    // [1/s] per molecule, jumps and exit, entry [voxel * species + s]
+  std::vector<double> entry_rate;    // [molecules/s], the same shape; empty where nothing enters
+};
+
+// Throws base::RunError where a rate is negative or not finite.
+std::shared_ptr<const JumpTables> make_jump_tables(const Network& network, const Voxels& voxels, Rows rows);
+
+}  // namespace shmoo::rdme

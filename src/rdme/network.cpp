@@ -1,0 +1,141 @@
+#include "rdme/network.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "rdme/expression.hpp"
+
+namespace shmoo::rdme {
+namespace {
+
+std::vector<Change> net_changes(const scene::Reaction& from) {
+  std::map<int, int> net;
+  for (const scene::Term& term : from.reactants) net[term.species] -= term.count;
+  for (const scene::Term& term : from.products) net[term.species] += term.count;
+  std::vector<Change> changes;
+  for (const auto& [species, amount] : net) {
+    if (amount != 0) changes.push_back({species, amount});
+  }
+  return changes;
+}
+
+template <class Container>
+bool contains(const Container& values, int value) {
+  return std::binary_search(values.begin(), values.end(), value);
+}
+
+}  // namespace
+
+Network::Network(const scene::Scene& scene)
+    : species_(scene.species), parameters_(scene.parameters.begin(), scene.parameters.end()) {
+  std::vector<base::Diagnostic> mistakes;
+  for (const scene::Species& one : species_) {
+    if (!(one.diffusivity >= 0) || !std::isfinite(one.diffusivity)) {
+      mistakes.push_back({{}, fmt::format("species {}: the diffusivity is {} m^2/s; it must be a finite number >= 0", one.name,
+                                          one.diffusivity)});
+    }
+    if (one.method == scene::SpeciesMethod::deterministic) any_deterministic_ = true;
+  }
+  for (const scene::Reaction& reaction : scene.reactions) compile(reaction, scene.materials.size(), mistakes);
+  if (!mistakes.empty()) throw base::InputError(std::move(mistakes));
+  sort_by_material(scene.materials.size());
+  find_dependencies();
+}
+
+ExpressionNames expression_names(const Network& network) {
+  ExpressionNames names{network.parameters(), {}};
+  for (const scene::Species& one : network.species_list()) names.species.push_back(one.name);
+  return names;
+}
+
+bool Network::lives_in(int species, int material) const { return contains(species_[species].homes, material); }
+
+void Network::compile(const scene::Reaction& from, std::size_t materials, std::vector<base::Diagnostic>& mistakes) {
+  Reaction reaction;
+  reaction.name = from.name;
+  reaction.reactants = from.reactants;
+  reaction.changes = net_changes(from);
+  reaction.rate_constant = from.rate_constant;
+  reaction.expression = from.expression;
+  std::set<int> reads;
+  for (const scene::Term& term : from.reactants) {
+    reaction.order += term.count;
+    reads.insert(term.species);
+  }
+  if (!from.expression.empty()) {
+    try {
+      const Expression expression(from.expression, expression_names(*this));
+      reads.insert(expression.reads().begin(), expression.reads().end());
+      reaction.reads_time = expression.reads_time();
+    } catch (const base::InputError& error) {
+      for (const base::Diagnostic& one : error.diagnostics()) {
+        mistakes.push_back({one.where, fmt::format("reaction {}: {}", from.name, one.message)});
+      }
+    }
+  } else if (!(from.rate_constant >= 0) || !std::isfinite(from.rate_constant)) {
+    mistakes.push_back({{}, fmt::format("reaction {}: the rate constant is {}; it must be a finite number >= 0", from.name,
+                                        from.rate_constant)});
+  }
+  reaction.reads.assign(reads.begin(), reads.end());
+  for (const Change& change : reaction.changes) reaction.stochastic |= stochastic(change.species);
+  find_materials(from, materials, reaction, mistakes);
+  reactions_.push_back(std::move(reaction));
+}
+
+void Network::find_materials(const scene::Reaction& from, std::size_t materials, Reaction& reaction,
+                             std::vector<base::Diagnostic>& mistakes) const {
+  std::set<int> partners(reaction.reads.begin(), reaction.reads.end());
+  for (const scene::Term& term : from.products) partners.insert(term.species);
+  reaction.in_material.assign(materials, from.materials.empty());
+  for (int material : from.materials) reaction.in_material[material] = true;
+  for (std::size_t material = 0; material < materials; ++material) {
+    for (int species : partners) {
+      if (!reaction.in_material[material] || lives_in(species, static_cast<int>(material))) continue;
+      reaction.in_material[material] = false;
+      if (from.materials.empty()) continue;
+      mistakes.push_back({{}, fmt::format("reaction {} is asked to run in material {}, where species {} does not live; "
+                                          "add the material to the species' homes or take it out of the reaction",
+                                          from.name, material, name(species))});
+    }
+  }
+  if (from.materials.empty() && std::ranges::find(reaction.in_material, true) == reaction.in_material.end()) {
+    mistakes.push_back({{}, fmt::format("reaction {} can run nowhere: its species have no material in common", from.name)});
+  }
+}
+
+void Network::sort_by_material(std::size_t materials) {
+  sampled_.resize(materials);
+  integrated_.resize(materials);
+  for (std::size_t r = 0; r < reactions_.size(); ++r) {
+    const Reaction& reaction = reactions_[r];
+    if (reaction.changes.empty()) continue;  // an event would change nothing
+    (reaction.stochastic ? any_sampled_ : any_integrated_) = true;
+    sampled_time_ |= reaction.stochastic && reaction.reads_time;
+    auto& lists = reaction.stochastic ? sampled_ : integrated_;
+    for (std::size_t material = 0; material < materials; ++material) {
+      if (reaction.in_material[material]) lists[material].push_back(static_cast<int>(r));
+    }
+  }
+}
+
+void Network::find_dependencies() {
+  after_species_.resize(species_.size());
+  for (std::size_t r = 0; r < reactions_.size(); ++r) {
+    if (!reactions_[r].stochastic) continue;
+    for (int species : reactions_[r].reads) after_species_[species].push_back(static_cast<int>(r));
+  }
+  after_reaction_.resize(reactions_.size());
+  for (std::size_t r = 0; r < reactions_.size(); ++r) {
+    std::set<int> touched;
+    for (const Change& change : reactions_[r].changes) {
+      touched.insert(after_species_[change.species].begin(), after_species_[change.species].end());
+    }
+    after_reaction_[r].assign(touched.begin(), touched.end());
+  }
+}
+
+}  // namespace shmoo::rdme

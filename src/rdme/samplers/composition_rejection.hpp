@@ -1,0 +1,49 @@
+#pragma once
+// Exact and fast: the cost of an event does not depend on the number of voxels. A voxel is found by composition and rejection
+// (groups.hpp); within it species that jump, entries and reactions follow in turn; a jump's target comes from the voxel's row
+// of cumulative probabilities (jump_table.hpp). A voxel's total is summed anew from its numbers at each change, never updated
+// by differences, so round-off cannot drift.
+#include <vector>
+
+#include "rdme/jump_table.hpp"
+#include "rdme/propensity.hpp"
+#include "rdme/sampler.hpp"
+#include "rdme/samplers/groups.hpp"
+#include "rdme/words.hpp"
+
+namespace shmoo::rdme {
+
+class CompositionRejection final : public Sampler {
+ public:
+  explicit CompositionRejection(const Network& network);
+
+  std::shared_ptr<const JumpTables> prepare(const Voxels& voxels) const override;
+  using Sampler::bind;
+  void bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables> tables) override;
+  void amounts_changed() override { derived_ = false; }
+  void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) override;
+
+ private:
+  void derive_all();
+  void refresh(std::uint32_t voxel);
+  void species_changed(std::uint32_t voxel, int species);
+  void fire(std::uint32_t voxel, double rest, Words& words);
+  void jump(std::uint32_t voxel, int species, std::uint32_t word);
+  void react(std::uint32_t voxel, int reaction);
+  void close_books();
+
+  const Network& network_;
+  Propensities propensities_;
+  std::size_t species_, reactions_;
+  const Voxels* voxels_ = nullptr;
+  State* state_ = nullptr;
+  std::shared_ptr<const JumpTables> tables_;
+  Process process_ = Process::both;
+  bool derived_ = false;
+  bool diffusion_ = true, reaction_ = true;  // what the process acts on
+  Groups groups_;
+  std::vector<double> value_;         // propensities, entry [voxel * reactions + r]
+  std::vector<std::int64_t> events_;  // by reaction, of this advance
+};
+
+}  // namespace shmoo::rdme

@@ -1,0 +1,34 @@
+#pragma once
+// What one event changes, in the state and in the ledger.
+#include "rdme/network.hpp"
+#include "rdme/state.hpp"
+
+namespace shmoo::rdme {
+
+// `times` equal events of a reaction: what the ledger has to know. Net changes are booked.
+inline void book_reaction(Ledger& ledger, const Network& network, const Reaction& reaction, std::int64_t times) {
+  for (const Change& change : reaction.changes) {
+    const std::int64_t molecules = times * (change.amount > 0 ? change.amount : -change.amount);
+    if (network.stochastic(change.species)) {
+      Account<std::int64_t>& account = ledger.counts[change.species];
+      (change.amount > 0 ? account.created : account.destroyed) += molecules;
+    } else {
+      Account<double>& account = ledger.amounts[change.species];
+      (change.amount > 0 ? account.created : account.destroyed) += static_cast<double>(molecules);
+    }
+  }
+}
+
+// One event of a reaction in a voxel; the ledger is left alone.
+inline void change_numbers(State& state, const Network& network, const Reaction& reaction, std::size_t voxel) {
+  for (const Change& change : reaction.changes) {
+    const std::size_t at = voxel * state.species + change.species;
+    if (network.stochastic(change.species)) {
+      state.count[at] += change.amount;
+    } else {
+      state.amount[at] += change.amount;
+    }
+  }
+}
+
+}  // namespace shmoo::rdme

@@ -11,8 +11,8 @@ namespace {
 // Philox4x32-10 on several counters side by side, laid out so that a compiler puts them into the lanes of one register.
 constexpr int lanes = 16;
 
-void philox_lanes(std::uint32_t counter, const std::array<std::uint32_t, 4>& rest, std::uint32_t key0, std::uint32_t key1,
-                  std::uint32_t* words) {
+void philox_lanes(std::uint32_t counter, const std::array<std::uint32_t, 4>& rest, std::uint32_t key0,
+                  std::uint32_t key1, std::uint32_t* words) {
   alignas(64) std::uint32_t c0[lanes], c1[lanes], c2[lanes], c3[lanes];
   for (int l = 0; l < lanes; ++l) {
     c0[l] = counter + static_cast<std::uint32_t>(l);

@@ -1,6 +1,6 @@
 #pragma once
-// Counter-based random numbers: each number is a function of (seed, realisation, stream, step, a, b) and of its place in
-// that address's sequence, never of a thread or of a sorted index. Philox4x32-10 (Salmon, Moraes, Dror, Shaw 2011,
+// Counter-based random numbers: each number is a function of (seed, realisation, stream, step, a, b) and of its place
+// in that address's sequence, never of a thread or of a sorted index. Philox4x32-10 (Salmon, Moraes, Dror, Shaw 2011,
 // "Parallel random numbers: as easy as 1, 2, 3"), as shipped by Random123.
 #include <Random123/philox.h>
 
@@ -12,14 +12,14 @@ namespace shmoo::base {
 
 // The one list of streams. A stream never changes its number: results would change with it.
 enum class Stream : std::uint32_t {
-  placement = 1,          // jitter of particles; a = particle id
-  initial_counts = 2,     // rounding and scattering of initial molecules; a = species
-  thermal_noise = 3,      // a, b = the pair's ids, smaller first
-  stochastic_exact = 4,   // one sequence for all events of an exact sampler in one step
-  diffusion_rounds = 5,   // uniformised diffusion: a = particle id, b = species
-  voxel_reactions = 6,    // reactions of one voxel in one splitting step: a = particle id
-  reservoir = 7,          // molecules that enter: a = particle id, b = species
-  test = 1000,            // for the tests
+  placement = 1,         // jitter of particles; a = particle id
+  initial_counts = 2,    // rounding and scattering of initial molecules; a = species
+  thermal_noise = 3,     // a, b = the pair's ids, smaller first
+  stochastic_exact = 4,  // one sequence for all events of an exact sampler in one step
+  diffusion_rounds = 5,  // uniformised diffusion: a = particle id, b = species
+  voxel_reactions = 6,   // reactions of one voxel in one splitting step: a = particle id
+  reservoir = 7,         // molecules that enter: a = particle id, b = species
+  test = 1000,           // for the tests
 };
 
 struct RandomKey {
@@ -27,13 +27,14 @@ struct RandomKey {
   std::uint32_t realisation = 0;
 };
 
-// A sequence of 32-bit words at one address. Satisfies UniformRandomBitGenerator. `a` and `b` hold 32 bits each, step 64;
-// a sequence is 2^34 words long and must not be drawn beyond that.
+// A sequence of 32-bit words at one address. Satisfies UniformRandomBitGenerator. `a` and `b` hold 32 bits each, step
+// 64; a sequence is 2^34 words long and must not be drawn beyond that.
 class RandomSequence {
  public:
   using result_type = std::uint32_t;
 
-  RandomSequence(const RandomKey& key, Stream stream, std::uint64_t step = 0, std::uint32_t a = 0, std::uint32_t b = 0) {
+  RandomSequence(const RandomKey& key, Stream stream, std::uint64_t step = 0, std::uint32_t a = 0,
+                 std::uint32_t b = 0) {
     // The address is hashed once through Philox itself, so that distinct addresses give independent sequences.
     const Philox::ctr_type address{{static_cast<std::uint32_t>(stream), key.realisation, a, b}};
     const Philox::key_type seed{{static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32)}};
@@ -85,8 +86,8 @@ class RandomSequence {
   bool has_spare_ = false;
 };
 
-// Binomial(n, p) and Poisson(mean) numbers by rejection (Hoermann 1993, BTRD and PTRD, as in Boost.Random): the cost does
-// not grow with n or the mean. n >= 0, 0 <= p <= 1, mean >= 0.
+// Binomial(n, p) and Poisson(mean) numbers by rejection (Hoermann 1993, BTRD and PTRD, as in Boost.Random): the cost
+// does not grow with n or the mean. n >= 0, 0 <= p <= 1, mean >= 0.
 std::int64_t binomial(RandomSequence& random, std::int64_t n, double p);
 std::int64_t poisson(RandomSequence& random, double mean);
 

@@ -26,9 +26,10 @@ Expression::Expression(const std::string& text, const ExpressionNames& names)
     }
     parser_->Eval();
   } catch (const mu::Parser::exception_type& error) {
-    throw base::InputError(fmt::format("the expression '{}' cannot be used: {}. It may read x, y, z, t, the parameters and "
-                                       "the species by name.",
-                                       text, error.GetMsg()));
+    throw base::InputError(
+        fmt::format("the expression '{}' cannot be used: {}. It may read x, y, z, t, the parameters and "
+                    "the species by name.",
+                    text, error.GetMsg()));
   }
 }
 

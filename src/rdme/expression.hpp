@@ -1,6 +1,6 @@
 #pragma once
-// Expressions over species concentrations, parameters, position and time, compiled once and evaluated many times (muParser).
-// An object is not thread safe: each sampler, solver and thread holds its own.
+// Expressions over species concentrations, parameters, position and time, compiled once and evaluated many times
+// (muParser). An object is not thread safe: each sampler, solver and thread holds its own.
 #include <memory>
 #include <string>
 #include <utility>

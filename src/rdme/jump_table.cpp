@@ -14,9 +14,10 @@ namespace {
 
 void check(double rate, const char* what, const std::string& species, std::size_t voxel) {
   if (rate >= 0 && std::isfinite(rate)) return;
-  throw base::RunError(fmt::format("the {} rate of species {} in voxel {} is {} 1/s; it must be a finite number >= 0: look at the "
-                                   "diffusivity and at the volumes",
-                                   what, species, voxel, rate));
+  throw base::RunError(
+      fmt::format("the {} rate of species {} in voxel {} is {} 1/s; it must be a finite number >= 0: look at the "
+                  "diffusivity and at the volumes",
+                  what, species, voxel, rate));
 }
 
 const JumpGraph* graph_of(const Network& network, const Voxels& voxels, int species) {
@@ -44,7 +45,8 @@ void sum_rates(const Network& network, const Voxels& voxels, JumpTables& tables)
 }
 
 // Exit rates by species and voxel; entries go straight to the tables.
-std::vector<std::map<std::uint32_t, double>> sum_exchanges(const Network& network, const Voxels& voxels, JumpTables& tables) {
+std::vector<std::map<std::uint32_t, double>> sum_exchanges(const Network& network, const Voxels& voxels,
+                                                           JumpTables& tables) {
   const std::size_t stride = network.species();
   std::vector<std::map<std::uint32_t, double>> exits(stride);
   for (const Exchange& exchange : voxels.exchanges) {
@@ -135,7 +137,8 @@ std::shared_ptr<const JumpTables> make_jump_tables(const Network& network, const
     const int species = static_cast<int>(s);
     const JumpGraph* graph = network.stochastic(species) ? graph_of(network, voxels, species) : nullptr;
     double largest = 0;
-    for (std::size_t at = s; at < tables->leave_rate.size(); at += stride) largest = std::max(largest, tables->leave_rate[at]);
+    for (std::size_t at = s; at < tables->leave_rate.size(); at += stride)
+      largest = std::max(largest, tables->leave_rate[at]);
     if (largest == 0) continue;
     if (rows == Rows::uniform) tables->uniform_rate[s] = largest;
     const double kappa = network.diffusivity(species);

@@ -10,8 +10,8 @@
 
 namespace shmoo::rdme {
 
-// A row is a run of blocks of one cache line each. Entry k is taken where exactly k thresholds of the row lie below a random
-// word, so that probabilities hold to 2^-32.
+// A row is a run of blocks of one cache line each. Entry k is taken where exactly k thresholds of the row lie below a
+// random word, so that probabilities hold to 2^-32.
 class JumpTable {
  public:
   struct alignas(64) Block {
@@ -52,7 +52,8 @@ enum class Rows {
 
 // For all stochastic species. Those with equal rows share them.
 struct JumpTables {
-  std::vector<std::shared_ptr<const JumpTable>> of_species;  // null: deterministic, or neither jumps nor leaves anywhere
+  std::vector<std::shared_ptr<const JumpTable>>
+      of_species;                    // null: deterministic, or neither jumps nor leaves anywhere
   std::vector<double> uniform_rate;  // [1/s] by species: moves of one molecule, Rows::uniform
   std::vector<double> leave_rate;    // [1/s] per molecule, jumps and exit, entry [voxel * species + s]
   std::vector<double> entry_rate;    // [molecules/s], the same shape; empty where nothing enters

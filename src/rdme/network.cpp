@@ -35,8 +35,9 @@ Network::Network(const scene::Scene& scene)
   std::vector<base::Diagnostic> mistakes;
   for (const scene::Species& one : species_) {
     if (!(one.diffusivity >= 0) || !std::isfinite(one.diffusivity)) {
-      mistakes.push_back({{}, fmt::format("species {}: the diffusivity is {} m^2/s; it must be a finite number >= 0", one.name,
-                                          one.diffusivity)});
+      mistakes.push_back({{},
+                          fmt::format("species {}: the diffusivity is {} m^2/s; it must be a finite number >= 0",
+                                      one.name, one.diffusivity)});
     }
     if (one.method == scene::SpeciesMethod::deterministic) any_deterministic_ = true;
   }
@@ -77,8 +78,9 @@ void Network::compile(const scene::Reaction& from, std::size_t materials, std::v
       }
     }
   } else if (!(from.rate_constant >= 0) || !std::isfinite(from.rate_constant)) {
-    mistakes.push_back({{}, fmt::format("reaction {}: the rate constant is {}; it must be a finite number >= 0", from.name,
-                                        from.rate_constant)});
+    mistakes.push_back({{},
+                        fmt::format("reaction {}: the rate constant is {}; it must be a finite number >= 0", from.name,
+                                    from.rate_constant)});
   }
   reaction.reads.assign(reads.begin(), reads.end());
   for (const Change& change : reaction.changes) reaction.stochastic |= stochastic(change.species);
@@ -97,13 +99,15 @@ void Network::find_materials(const scene::Reaction& from, std::size_t materials,
       if (!reaction.in_material[material] || lives_in(species, static_cast<int>(material))) continue;
       reaction.in_material[material] = false;
       if (from.materials.empty()) continue;
-      mistakes.push_back({{}, fmt::format("reaction {} is asked to run in material {}, where species {} does not live; "
-                                          "add the material to the species' homes or take it out of the reaction",
-                                          from.name, material, name(species))});
+      mistakes.push_back({{},
+                          fmt::format("reaction {} is asked to run in material {}, where species {} does not live; "
+                                      "add the material to the species' homes or take it out of the reaction",
+                                      from.name, material, name(species))});
     }
   }
   if (from.materials.empty() && std::ranges::find(reaction.in_material, true) == reaction.in_material.end()) {
-    mistakes.push_back({{}, fmt::format("reaction {} can run nowhere: its species have no material in common", from.name)});
+    mistakes.push_back(
+        {{}, fmt::format("reaction {} can run nowhere: its species have no material in common", from.name)});
   }
 }
 

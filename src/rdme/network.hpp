@@ -1,18 +1,21 @@
 #pragma once
 // The reaction network: who takes part, at which propensity, who is treated how, and what an event changes.
 //
-// One law without special cases. A reaction runs v = k prod_s C_s^nu_s events per volume and time (or v is an expression).
+// One law without special cases. A reaction runs v = k prod_s C_s^nu_s events per volume and time (or v is an
+// expression).
 //   Propensity in a voxel of volume V:   a = k V^(1-m) prod_s n_s (n_s - 1) ... (n_s - nu_s + 1),   m = sum_s nu_s.
 //   Deterministic:                       dn_s/dt = (net change of s) V v.
 // So A+B: (k/V) n_A n_B; A+A: (k/V) n (n-1), and d[A]/dt = -2 k [A]^2 for 2 A -> B. There is no 1/2 anywhere.
 //
-// Which reactions are sampled. A reaction is sampled (stochastic) if and only if one event changes the number of at least
-// one stochastic species; every other reaction is integrated deterministically.
+// Which reactions are sampled. A reaction is sampled (stochastic) if and only if one event changes the number of at
+// least one stochastic species; every other reaction is integrated deterministically.
 //
 // Reactions between both kinds of species:
-// * A deterministic reactant enters the propensity of a sampled reaction as its real amount: n^nu. An event takes or adds
+// * A deterministic reactant enters the propensity of a sampled reaction as its real amount: n^nu. An event takes or
+// adds
 //   whole molecules of it, and the propensity is zero while the amount is below what an event takes on balance.
-// * An integrated reaction reads stochastic counts as they stand at the start of the step (they are frozen in it), through
+// * An integrated reaction reads stochastic counts as they stand at the start of the step (they are frozen in it),
+// through
 //   the same falling factorial.
 // * Amounts below zero (deterministic integration, within its tolerance) are read as zero by propensities.
 #include <cstdint>
@@ -45,8 +48,8 @@ struct Reaction {
 
 class Network {
  public:
-  // Throws base::InputError, all mistakes at once: an expression that does not parse or reads an unknown name, a reaction
-  // that can run nowhere or runs where one of its species does not live, a negative or infinite constant.
+  // Throws base::InputError, all mistakes at once: an expression that does not parse or reads an unknown name, a
+  // reaction that can run nowhere or runs where one of its species does not live, a negative or infinite constant.
   explicit Network(const scene::Scene& scene);
 
   std::size_t species() const { return species_.size(); }
@@ -63,7 +66,8 @@ class Network {
   std::span<const int> sampled_in(int material) const { return sampled_[material]; }
   std::span<const int> integrated_in(int material) const { return integrated_[material]; }
 
-  // Sampled reactions whose propensity one event of `reaction` changes, or one molecule of `species` more or less, ascending.
+  // Sampled reactions whose propensity one event of `reaction` changes, or one molecule of `species` more or less,
+  // ascending.
   std::span<const int> after_reaction(int reaction) const { return after_reaction_[reaction]; }
   std::span<const int> after_species(int species) const { return after_species_[species]; }
 

@@ -61,9 +61,10 @@ double Propensities::evaluate(int reaction, std::size_t voxel) {
 }
 
 void Propensities::refuse(int reaction, std::size_t voxel, double value) const {
-  throw base::RunError(fmt::format("reaction {} has the propensity {} 1/s in voxel {} at t = {} s; it must be a finite number "
-                                   ">= 0: look at its rate law and at the numbers it reads",
-                                   network_.reactions()[reaction].name, value, voxel, time_));
+  throw base::RunError(
+      fmt::format("reaction {} has the propensity {} 1/s in voxel {} at t = {} s; it must be a finite number "
+                  ">= 0: look at its rate law and at the numbers it reads",
+                  network_.reactions()[reaction].name, value, voxel, time_));
 }
 
 }  // namespace shmoo::rdme

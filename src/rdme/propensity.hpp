@@ -1,5 +1,6 @@
 #pragma once
-// Propensities of sampled reactions (the law is in network.hpp). Holds compiled expressions: one object per sampler and thread.
+// Propensities of sampled reactions (the law is in network.hpp). Holds compiled expressions: one object per sampler and
+// thread.
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,8 @@ class Propensities {
 
   void set_time(double t);  // [s]; expressions are evaluated there
 
-  // Events per second of a reaction in a voxel, at the numbers that the state holds now. Throws base::RunError, naming the
-  // reaction, the voxel and the time, where the value is negative, infinite or not a number.
+  // Events per second of a reaction in a voxel, at the numbers that the state holds now. Throws base::RunError, naming
+  // the reaction, the voxel and the time, where the value is negative, infinite or not a number.
   double operator()(int reaction, std::size_t voxel) {
     const Law& law = laws_[reaction];
     if (law.expression >= 0) return evaluate(reaction, voxel);
@@ -43,7 +44,8 @@ class Propensities {
     int expression = -1;
   };
 
-  // prod n (n-1) ... (n-nu+1) over stochastic reactants, times prod n^nu over deterministic ones; zero where short of any.
+  // prod n (n-1) ... (n-nu+1) over stochastic reactants, times prod n^nu over deterministic ones; zero where short of
+  // any.
   double available(const Law& law, std::size_t voxel) const {
     double product = 1.0;
     for (std::uint32_t f = law.first; f < law.last; ++f) {

@@ -1,10 +1,10 @@
 #pragma once
 // The verbs that every stochastic method offers. One file per method under src/rdme/samplers/.
 //
-// All methods sample the same process: reactions (network.hpp), jumps along the rows of Voxels::graphs, exits to and Poisson
-// entries from what Voxels::exchanges names. `direct` and `composition_rejection` are exact; `split` takes reactions and
-// diffusion in turns (Strang) and is exact for either alone. Rate laws that contain t are evaluated in the middle of each
-// advance, so a step must be short against the time in which they change.
+// All methods sample the same process: reactions (network.hpp), jumps along the rows of Voxels::graphs, exits to and
+// Poisson entries from what Voxels::exchanges names. `direct` and `composition_rejection` are exact; `split` takes
+// reactions and diffusion in turns (Strang) and is exact for either alone. Rate laws that contain t are evaluated in
+// the middle of each advance, so a step must be short against the time in which they change.
 #include <cstdint>
 #include <memory>
 
@@ -24,11 +24,13 @@ class Sampler {
  public:
   virtual ~Sampler() = default;
 
-  // What this method derives from the geometry alone. It never changes: share it between all samplers of the same method and
-  // network that see the same voxels, in any thread. Throws base::RunError where a rate is negative or not finite.
+  // What this method derives from the geometry alone. It never changes: share it between all samplers of the same
+  // method and network that see the same voxels, in any thread. Throws base::RunError where a rate is negative or not
+  // finite.
   virtual std::shared_ptr<const JumpTables> prepare(const Voxels& voxels) const = 0;
 
-  // New geometry under the sampler's feet: derive everything again. References must outlive it. `tables` come from prepare().
+  // New geometry under the sampler's feet: derive everything again. References must outlive it. `tables` come from
+  // prepare().
   virtual void bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables> tables) = 0;
   void bind(const Voxels& voxels, State& state) { bind(voxels, state, prepare(voxels)); }
 
@@ -36,8 +38,8 @@ class Sampler {
   virtual void amounts_changed() = 0;
 
   // From time t to t + dt [s] at frozen geometry. `step` addresses the random numbers and differs between calls.
-  // Deterministic amounts are constant but for what stochastic events take from or add to them. Throws base::RunError where a
-  // propensity is negative or not a number.
+  // Deterministic amounts are constant but for what stochastic events take from or add to them. Throws base::RunError
+  // where a propensity is negative or not a number.
   virtual void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) = 0;
 };
 

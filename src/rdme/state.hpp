@@ -8,7 +8,8 @@
 
 namespace shmoo::rdme {
 
-// Amounts of one species since the start. For a stochastic species all are whole numbers below 2^53 and the balance is exact.
+// Amounts of one species since the start. For a stochastic species all are whole numbers below 2^53 and the balance is
+// exact.
 template <class Number>
 struct Account {
   Number initial{}, created{}, destroyed{}, entered{}, left{};
@@ -20,7 +21,8 @@ struct Ledger {
   std::vector<Account<double>> amounts;       // by species; used for deterministic species
 };
 
-// Voxel-major: entry [voxel * species + s]. A stochastic species uses `count`, a deterministic one `amount`; both in molecules.
+// Voxel-major: entry [voxel * species + s]. A stochastic species uses `count`, a deterministic one `amount`; both in
+// molecules.
 struct State {
   std::size_t species = 0;
   std::vector<std::int64_t> count;

@@ -61,11 +61,13 @@ void CompositionRejection::refresh(std::uint32_t voxel) {
 void CompositionRejection::species_changed(std::uint32_t voxel, int species) {
   if (!reaction_) return;
   for (int r : network_.after_species(species)) {
-    if (network_.reactions()[r].in_material[voxels_->material[voxel]]) value_[voxel * reactions_ + r] = propensities_(r, voxel);
+    if (network_.reactions()[r].in_material[voxels_->material[voxel]])
+      value_[voxel * reactions_ + r] = propensities_(r, voxel);
   }
 }
 
-void CompositionRejection::advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) {
+void CompositionRejection::advance(double t, double dt, Process process, const base::RandomKey& key,
+                                   std::uint64_t step) {
   Words words(key, base::Stream::stochastic_exact, step);
   propensities_.set_time(t + 0.5 * dt);
   if (process != process_ || network_.sampled_rates_change_in_time()) derived_ = false;

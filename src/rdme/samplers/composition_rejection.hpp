@@ -1,8 +1,8 @@
 #pragma once
-// Exact and fast: the cost of an event does not depend on the number of voxels. A voxel is found by composition and rejection
-// (groups.hpp); within it species that jump, entries and reactions follow in turn; a jump's target comes from the voxel's row
-// of cumulative probabilities (jump_table.hpp). A voxel's total is summed anew from its numbers at each change, never updated
-// by differences, so round-off cannot drift.
+// Exact and fast: the cost of an event does not depend on the number of voxels. A voxel is found by composition and
+// rejection (groups.hpp); within it species that jump, entries and reactions follow in turn; a jump's target comes from
+// the voxel's row of cumulative probabilities (jump_table.hpp). A voxel's total is summed anew from its numbers at each
+// change, never updated by differences, so round-off cannot drift.
 #include <vector>
 
 #include "rdme/jump_table.hpp"

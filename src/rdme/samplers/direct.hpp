@@ -1,6 +1,6 @@
 #pragma once
-// Gillespie's direct method (1977, J. Phys. Chem. 81, 2340) over all channels of all voxels, as in the textbook: the reference
-// that every other method is measured against. The cost of an event grows with the number of voxels.
+// Gillespie's direct method (1977, J. Phys. Chem. 81, 2340) over all channels of all voxels, as in the textbook: the
+// reference that every other method is measured against. The cost of an event grows with the number of voxels.
 #include <vector>
 
 #include "rdme/propensity.hpp"
@@ -34,9 +34,9 @@ class Direct final : public Sampler {
   const Network& network_;
   Propensities propensities_;
   State* state_ = nullptr;
-  std::vector<Channel> channels_;              // ascending by voxel
-  std::vector<std::size_t> first_;             // [voxels + 1] a voxel's channels
-  std::vector<double> value_, total_;          // by channel, by voxel
+  std::vector<Channel> channels_;      // ascending by voxel
+  std::vector<std::size_t> first_;     // [voxels + 1] a voxel's channels
+  std::vector<double> value_, total_;  // by channel, by voxel
 };
 
 }  // namespace shmoo::rdme

@@ -2,10 +2,10 @@
 // Voxels sorted by the power of two above their total rate, and the choice of one of them by composition and rejection
 // (Slepoy, Thompson, Plimpton 2008, J. Chem. Phys. 128, 205101).
 //
-// A group of n voxels with totals in [2^(e-1), 2^e) has the mass n 2^e, so the sum of all masses is made of whole numbers and
-// carries no round-off from event to event. Events are drawn at that sum; a voxel of total a is then accepted with
-// probability a/2^e, at least one half. What is rejected is a moment at which nothing happens, which leaves the law exact
-// (thinning: Lewis and Shedler 1979).
+// A group of n voxels with totals in [2^(e-1), 2^e) has the mass n 2^e, so the sum of all masses is made of whole
+// numbers and carries no round-off from event to event. Events are drawn at that sum; a voxel of total a is then
+// accepted with probability a/2^e, at least one half. What is rejected is a moment at which nothing happens, which
+// leaves the law exact (thinning: Lewis and Shedler 1979).
 #include <array>
 #include <bit>
 #include <cstdint>

@@ -1,0 +1,174 @@
+#include "run/ensemble.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "base/error.hpp"
+#include "run/interrupt.hpp"
+#include "run/result_write.hpp"
+#include "run/results.hpp"
+
+namespace shmoo::run {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+class Ensemble {
+ public:
+  Ensemble(coupling::Experiment& experiment, const EnsembleOptions& options)
+      : experiment_(experiment),
+        options_(options),
+        description_(experiment),
+        results_(experiment.layout(), experiment.scene().species.size(), options.realisations),
+        collector_(results_) {
+    provenance_ = {host_name(), utc_now(), "", options.threads, 0, options.command};
+    if (options.resume) restore_result(options.output, description_, results_);
+  }
+
+  EnsembleEnd run() {
+    write({"running", ""});
+    try {
+      if (prepare()) realise_all();
+    } catch (const std::exception& error) {
+      failure_ = error.what();
+    }
+    if (failure_) {
+      write({"failed", *failure_});
+      throw base::RunError(*failure_);
+    }
+    const bool interrupted = !results_.complete();
+    write({interrupted ? "interrupted" : "done", ""});
+    bool balanced = true;
+    for (std::size_t k = 0; k < results_.done.size(); ++k)
+      balanced = balanced && (results_.done[k] == 0 || results_.balanced[k] != 0);
+    return {interrupted, results_.done_count(), results_.done.size(), balanced, seconds_since(start_)};
+  }
+
+ private:
+  // What all realisations share. A complete file needs it no more, but it holds the same numbers again.
+  bool prepare() {
+    omp_set_num_threads(options_.threads);
+    ProgressBar bar("shared by all realisations", 1, 0, 1, options_.progress);
+    Recorder recorder(results_.layout, Part::shared);
+    coupling::Progress progress{interrupt_requested, [&](double fraction) { bar.report(0, fraction); }};
+    if (!experiment_.prepare(recorder, progress)) return false;
+    recorder.require_complete();
+    results_.shared_fields = std::move(recorder.shared_fields);
+    results_.shared_observables = std::move(recorder.observables);
+    return true;
+  }
+
+  void realise_all() {
+    for (std::uint32_t k = 0; k < results_.done.size(); ++k) {
+      if (results_.done[k] == 0) waiting_.push_back(k);
+    }
+    if (waiting_.empty()) return;
+    const auto workers = std::min<std::size_t>(waiting_.size(), static_cast<std::size_t>(options_.threads));
+    ProgressBar bar("realisations", results_.done.size(), results_.done_count(), workers, options_.progress);
+    written_ = Clock::now();
+    std::vector<std::jthread> threads;
+    for (std::size_t w = 0; w < workers; ++w) threads.emplace_back([&, w] { work(w, workers, bar); });
+  }
+
+  // One worker: realisations in turn until none waits. Threads that no realisation uses work inside one.
+  void work(std::size_t worker, std::size_t workers, ProgressBar& bar) {
+    omp_set_num_threads(std::max(1, options_.threads / static_cast<int>(workers)));
+    coupling::Progress progress{[&] { return stop(); }, [&](double fraction) { bar.report(worker, fraction); }};
+    while (!stop()) {
+      const auto next = next_.fetch_add(1);
+      if (next >= waiting_.size()) return;
+      const auto k = waiting_[next];
+      try {
+        Recorder recorder(results_.layout, Part::varying);
+        coupling::Outcome outcome;
+        if (!experiment_.realise(k, recorder, progress, outcome)) return;
+        recorder.require_complete();
+        collector_.add(k, recorder, outcome);
+        bar.finish_one(worker);
+        write_if_due();
+      } catch (const std::exception& error) {
+        fail(fmt::format("realisation {}: {}", k, error.what()));
+      }
+    }
+  }
+
+  bool stop() const { return failed_.load() || interrupt_requested(); }
+
+  void fail(const std::string& message) {
+    const std::scoped_lock lock(failing_);
+    if (!failure_) failure_ = message;
+    failed_.store(true);
+  }
+
+  void write_if_due() {
+    const std::unique_lock lock(writing_, std::try_to_lock);
+    if (!lock.owns_lock() || seconds_since(written_) < std::max(options_.write_interval, 20 * writing_took_)) return;
+    write({"running", ""});
+  }
+
+  void write(const Status& status) {
+    const auto start = Clock::now();
+    collector_.at_rest([&](const Results& results) {
+      provenance_.updated = utc_now();
+      provenance_.seconds = seconds_since(start_);
+      write_result(options_.output, description_, results, status, provenance_);
+    });
+    written_ = Clock::now();
+    writing_took_ = seconds_since(start);
+  }
+
+  coupling::Experiment& experiment_;
+  const EnsembleOptions& options_;
+  Description description_;
+  Results results_;
+  Collector collector_;
+  Provenance provenance_;
+  Clock::time_point start_ = Clock::now(), written_ = start_;
+  double writing_took_ = 0;  // [s]
+  std::vector<std::uint32_t> waiting_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::optional<std::string> failure_;
+  std::mutex failing_, writing_;
+};
+
+}  // namespace
+
+EnsembleEnd run_ensemble(coupling::Experiment& experiment, const EnsembleOptions& options) {
+  if (options.realisations < 1 || options.realisations > base::sample_limit) {
+    throw base::InputError(
+        fmt::format("{} realisations; between 1 and {} are possible", options.realisations, base::sample_limit));
+  }
+  const InterruptGuard guard;
+  return Ensemble(experiment, options).run();
+}
+
+void require_writable(const std::filesystem::path& output) {
+  const auto folder = output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
+  const auto refuse = [&](const std::string& why) {
+    throw base::InputError(fmt::format("cannot write {}: {}", output.string(), why));
+  };
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder, ignored))
+    refuse(fmt::format("the folder {} does not exist; make it first", folder.string()));
+  if (!std::filesystem::is_directory(folder, ignored)) refuse(fmt::format("{} is not a folder", folder.string()));
+  if (std::filesystem::is_directory(output, ignored)) refuse("it is a folder; name a file in it");
+  auto part = output;
+  part += ".part";
+  {
+    std::ofstream probe(part, std::ios::app);
+    if (!probe) refuse(fmt::format("no files can be made in {}", folder.string()));
+  }
+  std::filesystem::remove(part, ignored);
+}
+
+}  // namespace shmoo::run

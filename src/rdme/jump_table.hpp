@@ -34,6 +34,9 @@ class JumpTable {
     return block->target[k];
   }
 
+  bool empty(std::size_t voxel) const { return first_[voxel] == first_[voxel + 1]; }
+  void prefetch(std::size_t voxel) const { __builtin_prefetch(blocks_.data() + first_[voxel]); }
+
  private:
   static std::uint32_t below(const Block& block, std::uint32_t word) {
     std::uint32_t k = 0;

@@ -23,6 +23,11 @@ void CompositionRejection::bind(const Voxels& voxels, State& state, std::shared_
   state_ = &state;
   tables_ = std::move(tables);
   propensities_.bind(voxels, state);
+  table_.clear();
+  for (const auto& table : tables_->of_species) table_.push_back(table.get());
+  leave_ = tables_->leave_rate.data();
+  entry_ = tables_->entry_rate.empty() ? nullptr : tables_->entry_rate.data();
+  count_ = state.count.data();
   value_.assign(network_.any_sampled() ? voxels.size() * reactions_ : 0, 0.0);
   derived_ = false;
 }
@@ -41,12 +46,10 @@ void CompositionRejection::derive_all() {
 void CompositionRejection::refresh(std::uint32_t voxel) {
   double total = 0;
   if (diffusion_) {
-    const double* const leave = tables_->leave_rate.data() + voxel * species_;
-    const std::int64_t* const count = state_->count.data() + voxel * species_;
+    const double* const leave = leave_ + voxel * species_;
+    const std::int64_t* const count = count_ + voxel * species_;
     for (std::size_t s = 0; s < species_; ++s) total += leave[s] * static_cast<double>(count[s]);
-    if (!tables_->entry_rate.empty()) {
-      for (std::size_t s = 0; s < species_; ++s) total += tables_->entry_rate[voxel * species_ + s];
-    }
+    for (std::size_t s = 0; entry_ && s < species_; ++s) total += entry_[voxel * species_ + s];
   }
   if (reaction_) {
     const double* const value = value_.data() + voxel * reactions_;
@@ -68,34 +71,63 @@ void CompositionRejection::species_changed(std::uint32_t voxel, int species) {
 
 void CompositionRejection::advance(double t, double dt, Process process, const base::RandomKey& key,
                                    std::uint64_t step) {
-  Words words(key, base::Stream::stochastic_exact, step);
   propensities_.set_time(t + 0.5 * dt);
   if (process != process_ || network_.sampled_rates_change_in_time()) derived_ = false;
   process_ = process;
   diffusion_ = process != Process::reactions;
   reaction_ = process != Process::diffusion && network_.any_sampled();
   if (!derived_) derive_all();
+  AttemptSequence sequence(key, base::Stream::stochastic_exact, step);
+  Attempts attempts;
   double left = dt;
-  while (groups_.sum() > 0 && (left -= words.exponential() / groups_.sum()) > 0) {
-    const Groups::Pick pick = groups_.pick(words.uniform());
-    if (pick.rest < groups_.total(pick.voxel)) fire(pick.voxel, pick.rest, words);
+  while (left > 0 && groups_.sum() > 0) {
+    sequence.next(attempts);
+    prefetch(attempts);
+    for (std::size_t k = 0; k < Attempts::size && groups_.sum() > 0; ++k) {
+      left -= attempts.wait[k] / groups_.sum();
+      if (left <= 0) break;
+      const Groups::Pick pick = groups_.pick(attempts.choice[k]);
+      if (pick.rest < groups_.total(pick.voxel)) fire(pick.voxel, pick.rest, attempts.word[k]);
+    }
   }
   close_books();
 }
 
-void CompositionRejection::fire(std::uint32_t voxel, double rest, Words& words) {
+// Where the coming attempts are likely to lead, as the groups stand now: has the memory bring it while others are at
+// work.
+void CompositionRejection::prefetch(const Attempts& attempts) const {
+  const JumpTable* const table = species_ > 0 && diffusion_ ? table_[0] : nullptr;
+  std::array<std::uint32_t, Attempts::size> voxel;
+  for (std::size_t k = 0; k < Attempts::size; ++k) {
+    voxel[k] = groups_.pick(attempts.choice[k]).voxel;
+    groups_.prefetch(voxel[k]);
+    __builtin_prefetch(count_ + voxel[k] * species_, 1);
+    __builtin_prefetch(leave_ + voxel[k] * species_);
+    if (table) table->prefetch(voxel[k]);
+  }
+  if (!table) return;
+  for (std::size_t k = 0; k < Attempts::size; ++k) {
+    const std::uint32_t target = table->empty(voxel[k]) ? voxel[k] : table->target(voxel[k], attempts.word[k]);
+    if (target == voxels_->size()) continue;
+    groups_.prefetch(target);
+    __builtin_prefetch(count_ + target * species_, 1);
+    __builtin_prefetch(leave_ + target * species_);
+  }
+}
+
+void CompositionRejection::fire(std::uint32_t voxel, double rest, std::uint32_t word) {
   if (diffusion_) {
-    const double* const leave = tables_->leave_rate.data() + voxel * species_;
-    const std::int64_t* const count = state_->count.data() + voxel * species_;
+    const double* const leave = leave_ + voxel * species_;
+    const std::int64_t* const count = count_ + voxel * species_;
     for (std::size_t s = 0; s < species_; ++s) {
       const double rate = leave[s] * static_cast<double>(count[s]);
-      if (rest < rate) return jump(voxel, static_cast<int>(s), words.word());
+      if (rest < rate) return jump(voxel, static_cast<int>(s), word);
       rest -= rate;
     }
-    for (std::size_t s = 0; !tables_->entry_rate.empty() && s < species_; ++s) {
-      const double rate = tables_->entry_rate[voxel * species_ + s];
+    for (std::size_t s = 0; entry_ && s < species_; ++s) {
+      const double rate = entry_[voxel * species_ + s];
       if (rest < rate) {
-        ++state_->count[voxel * species_ + s];
+        ++count_[voxel * species_ + s];
         ++state_->ledger.counts[s].entered;
         species_changed(voxel, static_cast<int>(s));
         return refresh(voxel);
@@ -112,15 +144,15 @@ void CompositionRejection::fire(std::uint32_t voxel, double rest, Words& words) 
 }
 
 void CompositionRejection::jump(std::uint32_t voxel, int species, std::uint32_t word) {
-  const std::uint32_t target = tables_->of_species[species]->target(voxel, word);
-  --state_->count[voxel * species_ + species];
+  const std::uint32_t target = table_[species]->target(voxel, word);
+  --count_[voxel * species_ + species];
   species_changed(voxel, species);
   refresh(voxel);
   if (target == voxels_->size()) {
     ++state_->ledger.counts[species].left;
     return;
   }
-  ++state_->count[target * species_ + species];
+  ++count_[target * species_ + species];
   ++state_->jump_events;
   species_changed(target, species);
   refresh(target);

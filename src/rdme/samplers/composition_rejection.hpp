@@ -27,7 +27,8 @@ class CompositionRejection final : public Sampler {
   void derive_all();
   void refresh(std::uint32_t voxel);
   void species_changed(std::uint32_t voxel, int species);
-  void fire(std::uint32_t voxel, double rest, Words& words);
+  void prefetch(const Attempts& attempts) const;
+  void fire(std::uint32_t voxel, double rest, std::uint32_t word);
   void jump(std::uint32_t voxel, int species, std::uint32_t word);
   void react(std::uint32_t voxel, int reaction);
   void close_books();
@@ -42,6 +43,10 @@ class CompositionRejection final : public Sampler {
   bool derived_ = false;
   bool diffusion_ = true, reaction_ = true;  // what the process acts on
   Groups groups_;
+  std::vector<const JumpTable*> table_;  // by species
+  const double* leave_ = nullptr;        // as in JumpTables
+  const double* entry_ = nullptr;        // null where nothing enters
+  std::int64_t* count_ = nullptr;
   std::vector<double> value_;         // propensities, entry [voxel * reactions + r]
   std::vector<std::int64_t> events_;  // by reaction, of this advance
 };

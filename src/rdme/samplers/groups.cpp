@@ -6,10 +6,8 @@ namespace shmoo::rdme {
 
 void Groups::clear(std::size_t voxels) {
   entries_.assign(voxels, {});
-  mass_.fill(0.0);
   for (auto& members : members_) members.clear();
-  lowest_ = none;
-  highest_ = 0;
+  lowest_ = highest_ = none;
   sum_ = 0;
 }
 
@@ -20,18 +18,23 @@ void Groups::move(std::uint32_t voxel, std::uint32_t group) {
     members[entry.place] = members.back();
     entries_[members.back()].place = entry.place;
     members.pop_back();
-    mass_[entry.group] = static_cast<double>(members.size()) * width(entry.group);
   }
   entry.group = group;
   if (group != none) {
     entry.place = static_cast<std::uint32_t>(members_[group].size());
     members_[group].push_back(voxel);
-    mass_[group] = static_cast<double>(members_[group].size()) * width(group);
     lowest_ = std::min(lowest_, group);
-    highest_ = std::max(highest_, group);
+    highest_ = highest_ == none ? group : std::max(highest_, group);
   }
+  // The lowest and highest that hold a voxel: what lies outside must never be picked by round-off.
+  while (lowest_ < highest_ && members_[lowest_].empty()) ++lowest_;
+  while (highest_ > lowest_ && members_[highest_].empty()) --highest_;
   sum_ = 0;
-  for (std::uint32_t g = highest_ + 1; g-- > lowest_;) sum_ += mass_[g];
+  for (std::uint32_t g = highest_; g + 1 > lowest_; --g) {
+    before_[highest_ - g] = sum_;
+    sum_ += static_cast<double>(members_[g].size()) * width(g);
+    if (g == 0) break;
+  }
 }
 
 }  // namespace shmoo::rdme

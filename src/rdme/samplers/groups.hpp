@@ -35,15 +35,19 @@ class Groups {
 
   // By a uniform number in (0, 1). The sum must not be 0.
   Pick pick(double uniform) const {
-    double x = uniform * sum_;
-    std::uint32_t group = highest_;
-    while (group > lowest_ && x >= mass_[group]) x -= mass_[group--];
+    const double x = uniform * sum_;
+    const std::uint32_t last = highest_ - lowest_;
+    std::uint32_t k = 0;  // groups passed over, counted without branches
+    for (std::uint32_t g = 1; g <= last; ++g) k += x >= before_[g] ? 1U : 0U;
+    const std::uint32_t group = highest_ - k;
     const std::vector<std::uint32_t>& members = members_[group];
-    const double place = x * inverse_width(group);
-    std::size_t k = static_cast<std::size_t>(place);
-    if (k >= members.size()) k = members.size() - 1;
-    return {members[k], (place - static_cast<double>(k)) * width(group)};
+    const double place = (x - before_[k]) * inverse_width(group);
+    std::size_t m = static_cast<std::size_t>(place);
+    if (m >= members.size()) m = members.size() - 1;
+    return {members[m], (place - static_cast<double>(m)) * width(group)};
   }
+
+  void prefetch(std::uint32_t voxel) const { __builtin_prefetch(&entries_[voxel], 1); }
 
  private:
   static constexpr std::uint32_t none = 2047;  // not a finite number's exponent
@@ -60,9 +64,9 @@ class Groups {
   void move(std::uint32_t voxel, std::uint32_t group);
 
   std::vector<Entry> entries_;
-  std::array<double, 2048> mass_{};
+  std::array<double, 2048> before_{};  // masses of all groups above the k-th, counted from the highest
   std::array<std::vector<std::uint32_t>, 2048> members_;
-  std::uint32_t lowest_ = none, highest_ = 0;  // groups that have had members
+  std::uint32_t lowest_ = 0, highest_ = 0;  // groups that may have members
   double sum_ = 0;
 };
 

@@ -31,10 +31,14 @@ class Ensemble {
         results_(experiment.layout(), experiment.scene().species.size(), options.realisations),
         collector_(results_) {
     provenance_ = {host_name(), utc_now(), "", options.threads, 0, options.command};
-    if (options.resume) restore_result(options.output, description_, results_);
+    if (options.resume) {
+      restore_result(options.output, description_, results_);
+      was_done_ = glance_at(options.output).status == "done";
+    }
   }
 
   EnsembleEnd run() {
+    if (was_done_ && results_.complete()) return end();
     write({"running", ""});
     try {
       if (prepare()) realise_all();
@@ -45,25 +49,28 @@ class Ensemble {
       write({"failed", *failure_});
       throw base::RunError(*failure_);
     }
-    const bool interrupted = !results_.complete();
-    write({interrupted ? "interrupted" : "done", ""});
-    bool balanced = true;
-    for (std::size_t k = 0; k < results_.done.size(); ++k)
-      balanced = balanced && (results_.done[k] == 0 || results_.balanced[k] != 0);
-    return {interrupted, results_.done_count(), results_.done.size(), balanced, seconds_since(start_)};
+    write({results_.complete() ? "done" : "interrupted", ""});
+    return end();
   }
 
  private:
-  // What all realisations share. A complete file needs it no more, but it holds the same numbers again.
+  EnsembleEnd end() const {
+    bool balanced = true;
+    for (std::size_t k = 0; k < results_.done.size(); ++k)
+      balanced = balanced && (results_.done[k] == 0 || results_.balanced[k] != 0);
+    return {!results_.complete(), results_.done_count(), results_.done.size(), balanced, seconds_since(start_)};
+  }
+
+  // What all realisations share.
   bool prepare() {
     omp_set_num_threads(options_.threads);
     ProgressBar bar("shared by all realisations", 1, 0, 1, options_.progress);
-    Recorder recorder(results_.layout, Part::shared);
+    Recorder recorder(results_.layout, Recorder::Source::preparation);
     coupling::Progress progress{interrupt_requested, [&](double fraction) { bar.report(0, fraction); }};
     if (!experiment_.prepare(recorder, progress)) return false;
     recorder.require_complete();
-    results_.shared_fields = std::move(recorder.shared_fields);
-    results_.shared_observables = std::move(recorder.observables);
+    collector_.share(recorder);
+    description_.derived = experiment_.derived();
     return true;
   }
 
@@ -88,10 +95,11 @@ class Ensemble {
       if (next >= waiting_.size()) return;
       const auto k = waiting_[next];
       try {
-        Recorder recorder(results_.layout, Part::varying);
+        Recorder recorder(results_.layout, Recorder::Source::realisation);
         coupling::Outcome outcome;
         if (!experiment_.realise(k, recorder, progress, outcome)) return;
         recorder.require_complete();
+        if (!shared_.exchange(true)) collector_.share(recorder);
         collector_.add(k, recorder, outcome);
         bar.finish_one(worker);
         write_if_due();
@@ -132,11 +140,12 @@ class Ensemble {
   Results results_;
   Collector collector_;
   Provenance provenance_;
+  bool was_done_ = false;  // the file that is resumed
   Clock::time_point start_ = Clock::now(), written_ = start_;
   double writing_took_ = 0;  // [s]
   std::vector<std::uint32_t> waiting_;
   std::atomic<std::size_t> next_{0};
-  std::atomic<bool> failed_{false};
+  std::atomic<bool> failed_{false}, shared_{false};
   std::optional<std::string> failure_;
   std::mutex failing_, writing_;
 };

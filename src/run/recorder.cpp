@@ -16,30 +16,29 @@ std::size_t cells(const coupling::FieldInfo& info) {
   return product;
 }
 
-Recorder::Recorder(const coupling::RecordLayout& layout, Part part) : layout_(layout), part_(part) {
-  const auto times = layout.times.size();
+Recorder::Recorder(const coupling::RecordLayout& layout, Source source)
+    : shared_fields(layout.fields.size()),
+      varying_fields(layout.fields.size()),
+      observables(layout.observables.size()),
+      layout_(layout),
+      source_(source),
+      seen_fields_(layout.fields.size()),
+      seen_observables_(layout.observables.size()) {
   for (const auto& info : layout.fields) {
-    const bool here = belongs(info, part);
-    shared_fields.emplace_back(here && part == Part::shared ? times * cells(info) : 0);
-    varying_fields.emplace_back(here && part == Part::varying ? times * cells(info) : 0);
-    quanta_.push_back(info.whole ? base::FixedPoint::whole() : base::FixedPoint(info.scale));
-    seen_fields_.emplace_back(here ? times : 0, false);
-  }
-  for (const auto& info : layout.observables) {
-    const bool here = belongs(info, part);
-    observables.emplace_back(here ? times * cells(info) : 0);
-    seen_observables_.emplace_back(here ? times : 0, false);
+    quanta_.push_back(info.whole || info.shared ? base::FixedPoint::whole() : base::FixedPoint(info.scale));
   }
 }
 
 void Recorder::check(const char* kind, const coupling::FieldInfo& info, std::size_t time, std::size_t size, Seen& seen,
                      std::size_t index) {
-  if (!belongs(info, part_))
-    throw base::RunError(fmt::format("{} {} was recorded at the wrong moment", kind, info.name));
+  if (source_ == Source::preparation && !info.shared) {
+    throw base::RunError(fmt::format("{} {} varies, but was recorded before the first realisation", kind, info.name));
+  }
   if (time >= layout_.times.size() || size != cells(info)) {
     throw base::RunError(fmt::format("{} {} at record {} has {} values; {} at records below {} were announced", kind,
                                      info.name, time, size, cells(info), layout_.times.size()));
   }
+  seen[index].resize(layout_.times.size(), false);
   seen[index][time] = true;
 }
 
@@ -49,11 +48,14 @@ void Recorder::field(std::size_t time, std::size_t field, coupling::Values value
       [&](const auto data) {
         check("field", info, time, data.size(), seen_fields_, field);
         const auto offset = static_cast<std::ptrdiff_t>(time * data.size());
-        if (part_ == Part::shared) {
+        const auto all = layout_.times.size() * data.size();
+        if (info.shared) {
+          shared_fields[field].resize(all);
           std::transform(data.begin(), data.end(), shared_fields[field].begin() + offset,
                          [](auto x) { return static_cast<double>(x); });
           return;
         }
+        varying_fields[field].resize(all);
         try {
           std::transform(data.begin(), data.end(), varying_fields[field].begin() + offset,
                          [&](auto x) { return quanta_[field](static_cast<double>(x)); });
@@ -69,14 +71,14 @@ void Recorder::observable(std::size_t time, std::size_t observable, coupling::Va
   std::visit(
       [&](const auto data) {
         check("observable", info, time, data.size(), seen_observables_, observable);
-        const auto offset = time * data.size();
+        observables[observable].resize(layout_.times.size() * data.size());
         for (std::size_t i = 0; i < data.size(); ++i) {
           const auto value = static_cast<double>(data[i]);
           if (!std::isfinite(value)) {
             throw base::RunError(fmt::format("observable {} at t = {} s is {}, not a finite number", info.name,
                                              layout_.times[time], value));
           }
-          observables[observable][offset + i] = value;
+          observables[observable][time * data.size() + i] = value;
         }
       },
       values);
@@ -84,8 +86,9 @@ void Recorder::observable(std::size_t time, std::size_t observable, coupling::Va
 
 void Recorder::require_complete() const {
   const auto require = [&](const char* kind, const coupling::FieldInfo& info, const std::vector<bool>& seen) {
+    if (seen.empty() && (info.shared || source_ == Source::preparation || layout_.times.empty())) return;
     const auto gap = std::find(seen.begin(), seen.end(), false);
-    if (gap == seen.end()) return;
+    if (!seen.empty() && gap == seen.end()) return;
     throw base::RunError(fmt::format("{} {} was not recorded at t = {} s", kind, info.name,
                                      layout_.times[static_cast<std::size_t>(gap - seen.begin())]));
   };

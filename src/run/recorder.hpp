@@ -9,25 +9,26 @@
 
 namespace shmoo::run {
 
-enum class Part { shared, varying };  // of a layout: what all realisations share, or what has statistics
-
-inline bool belongs(const coupling::FieldInfo& info, Part part) { return info.shared == (part == Part::shared); }
-
 std::size_t cells(const coupling::FieldInfo& info);  // values at one time
 
 class Recorder final : public coupling::RecordSink {
  public:
-  Recorder(const coupling::RecordLayout& layout, Part part);
+  enum class Source {
+    preparation,  // what all realisations share; nothing else is accepted
+    realisation,  // what has statistics must come; what all realisations share may come with it
+  };
+  Recorder(const coupling::RecordLayout& layout, Source source);
 
-  // base::RunError for what is no number, is too large for exact sums, or has another size than the layout says.
+  // base::RunError for what is not a number, is too large for exact sums, or has another size than the layout says.
   void field(std::size_t time, std::size_t field, coupling::Values values) override;
   void observable(std::size_t time, std::size_t observable, coupling::Values values) override;
 
-  // base::RunError where a record is missing.
+  // base::RunError where a field or observable came for some times only, or a varying one not at all.
   void require_complete() const;
 
-  std::vector<std::vector<double>> shared_fields;         // [field][time * cells], Part::shared
-  std::vector<std::vector<std::int64_t>> varying_fields;  // [field][time * cells] in quanta, Part::varying
+  // Empty where nothing came.
+  std::vector<std::vector<double>> shared_fields;         // [field][time * cells]
+  std::vector<std::vector<std::int64_t>> varying_fields;  // [field][time * cells] in quanta
   std::vector<std::vector<double>> observables;           // [observable][time * cells]
 
  private:
@@ -36,8 +37,8 @@ class Recorder final : public coupling::RecordSink {
              std::size_t index);
 
   const coupling::RecordLayout& layout_;
-  Part part_;
-  std::vector<base::FixedPoint> quanta_;
+  Source source_;
+  std::vector<base::FixedPoint> quanta_;  // [field]
   Seen seen_fields_, seen_observables_;
 };
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "run/hdf5.hpp"
@@ -131,12 +132,23 @@ void restore_result(const std::filesystem::path& path, const Description& descri
   take("/realisations/reaction_events", results.reaction_events);
   take("/realisations/jump_events", results.jump_events);
   const auto& layout = results.layout;
+  const auto take_shared = [&](const std::string& name, std::vector<double>& to) {
+    auto values = h5::read<double>(file, name);
+    if (!values.empty() && !std::isnan(values.front())) to = std::move(values);
+  };
   for (std::size_t f = 0; f < layout.fields.size(); ++f) {
-    if (!layout.fields[f].shared) results.blocks[f] = read_blocks(file, layout.fields[f], layout.times.size(), samples);
+    if (layout.fields[f].shared)
+      take_shared("/fields/" + layout.fields[f].name, results.shared_fields[f]);
+    else
+      results.blocks[f] = read_blocks(file, layout.fields[f], layout.times.size(), samples);
   }
   for (std::size_t o = 0; o < layout.observables.size(); ++o) {
-    if (layout.observables[o].shared) continue;
-    auto rows = h5::read<double>(file, "/observables/" + layout.observables[o].name + "/values");
+    const auto at = "/observables/" + layout.observables[o].name + "/values";
+    if (layout.observables[o].shared) {
+      take_shared(at, results.shared_observables[o]);
+      continue;
+    }
+    auto rows = h5::read<double>(file, at);
     rows.resize(kept * layout.times.size() * cells(layout.observables[o]));
     take_rows(rows, results.values[o]);
   }

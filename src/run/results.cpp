@@ -45,6 +45,18 @@ Collector::Collector(Results& results) : results_(results) {
   for (std::size_t i = 0; i < locks; ++i) block_locks_.push_back(std::make_unique<std::mutex>());
 }
 
+void Collector::share(const Recorder& recorded) {
+  const auto take = [](std::vector<double>& known, const std::vector<double>& came) {
+    if (known.empty()) known = came;
+  };
+  const std::unique_lock lock(adding_);
+  for (std::size_t f = 0; f < recorded.shared_fields.size(); ++f)
+    take(results_.shared_fields[f], recorded.shared_fields[f]);
+  for (std::size_t o = 0; o < recorded.observables.size(); ++o) {
+    if (results_.layout.observables[o].shared) take(results_.shared_observables[o], recorded.observables[o]);
+  }
+}
+
 void Collector::add(std::uint32_t k, const Recorder& recorded, const coupling::Outcome& outcome) {
   const std::shared_lock lock(adding_);
   const auto times = results_.layout.times.size();
@@ -60,6 +72,7 @@ void Collector::add(std::uint32_t k, const Recorder& recorded, const coupling::O
     results_.blocks[f][t].histograms.add(sample);
   }
   for (std::size_t o = 0; o < results_.values.size(); ++o) {
+    if (results_.values[o].empty()) continue;
     const auto& from = recorded.observables[o];
     std::copy(from.begin(), from.end(), results_.values[o].begin() + static_cast<std::ptrdiff_t>(k * from.size()));
   }

@@ -1,0 +1,58 @@
+#pragma once
+// From a checked document to a Scene: names become indices, defaults are filled in, and what only makes sense together
+// is compared. Each function handles one part of the file, reports its mistakes through its section, and relies on
+// those before it in this list.
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/units.hpp"
+#include "scene/section.hpp"
+
+namespace shmoo::scene {
+
+// A scene in the making, with what only its making needs.
+struct Draft : Scene {
+  std::map<std::string, base::Dimension> parameter_dimensions;  // of those that have a unit
+  std::set<std::string> bad_names;                              // parameters whose values were found bad
+};
+
+void build_run(const Section& root, Scene& scene);
+void build_materials(const Section& root, Scene& scene);
+void build_domain(const Section& root, Scene& scene);
+void build_numerics(const Section& root, Scene& scene);
+void build_regions(const Section& root, Scene& scene);
+void build_parameters(const Section& root, Draft& draft);
+void build_species(const Section& root, Draft& draft);
+void build_initials(const Section& root, Draft& draft);
+void build_reactions(const Section& root, Draft& draft);
+void build_boundaries(const Section& root, Scene& scene);
+void build_inflows(const Section& root, Draft& draft);
+void build_flow(const Section& root, Draft& draft);
+void build_effects(const Section& root, Scene& scene);
+void build_depth(const Section& root, Scene& scene);
+void build_observables(const Section& root, Scene& scene);
+void build_record(const Section& root, Scene& scene);
+
+// The shape that a table describes; null where it is absent or wrong.
+ShapePointer build_shape(const Section& section, int dimension);
+
+// Index of a name, or -1 with a message at `at`.
+int material_index(const Scene& scene, const std::string& name, const Section& section, std::string_view key,
+                   const toml::node& at);
+int species_index(const Scene& scene, const std::string& name, const Section& section, std::string_view key,
+                  const toml::node& at);
+
+// The materials that a key names (one name or a list), ascending and without repetition. All is well unless `good`
+// turns false.
+std::vector<int> material_list(const Scene& scene, const Section& section, std::string_view key, bool& good);
+
+// Checks a formula: defined names, dimension. Variables are x, y, z, the parameters and, where it is a rate law, t and
+// the species. Returns the species that it uses.
+std::vector<int> check_formula(const Draft& draft, const Section& section, std::string_view key, const toml::node& at,
+                               const base::Dimension& dimension, bool rate_law);
+
+inline constexpr std::string_view axis_names = "xyz";
+
+}  // namespace shmoo::scene

@@ -1,0 +1,120 @@
+// Which effects are on: what the file asks for, what follows from it, and whether the data for it are there.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "scene/build.hpp"
+
+namespace shmoo::scene {
+namespace {
+
+constexpr std::array<std::pair<const char*, bool Effects::*>, 6> of_flow{
+    {{"viscosity", &Effects::viscosity},
+     {"density_diffusion", &Effects::density_diffusion},
+     {"transport_velocity", &Effects::transport_velocity},
+     {"bounce_back", &Effects::bounce_back},
+     {"thermal_noise", &Effects::thermal_noise},
+     {"species_advection", &Effects::species_advection}}};
+
+// A table that is absent answers as an empty one.
+class Asked {
+ public:
+  explicit Asked(const Section& root) : root_(root), section_(root.section("effects")) {}
+  bool has(std::string_view key) const { return section_ && section_->has(key); }
+  std::optional<bool> value(std::string_view key) const { return section_ ? section_->boolean(key) : std::nullopt; }
+  void error(std::string_view key, const std::string& message) const {
+    if (section_)
+      section_->error(key, message);
+    else
+      root_.error("effects", message);
+  }
+
+ private:
+  const Section& root_;
+  std::optional<Section> section_;
+};
+
+// What sets the fluid in motion, or "".
+std::string driver(const Scene& scene, const Asked& asked) {
+  if (asked.value("flow") == true) return "effects.flow";
+  for (std::size_t i = 0; i < scene.inflows.size(); ++i)
+    if (scene.inflows[i].velocity) return fmt::format("inflow.{}.velocity", i);
+  if (scene.flow.body_force) return "flow.body_force";
+  if (!scene.flow.initial_velocity.empty()) return "flow.initial_velocity";
+  for (const auto& material : scene.materials)
+    if (material.motion || material.surface_motion) return fmt::format("the moving wall {}", material.name);
+  for (const auto& axis : scene.domain.sides)
+    for (const auto& side : axis)
+      if (side.velocity != Point{}) return "a sliding side of the domain";
+  return asked.value("thermal_noise") == true ? "effects.thermal_noise" : "";
+}
+
+// What a flow needs; each thing that is missing is reported where it belongs.
+void check_flow_data(const Section& root, const Scene& scene, const std::string& why) {
+  if (scene.dimension == 1)
+    root.error(
+        "dimension",
+        fmt::format("a flow (because of {}) needs 2 or 3 dimensions; set effects.flow = false to leave it out", why));
+  bool fluid = false;
+  for (const auto& [name, section] : root.named_sections("materials")) {
+    if (section.text("type") != "fluid") continue;
+    fluid = true;
+    for (const char* key : {"density", "viscosity"})
+      if (!section.has(key))
+        section.error(
+            key,
+            fmt::format("missing; the flow (because of {}) needs it; set effects.flow = false to leave the flow out",
+                        why));
+    // The friction across a pair's line is proportional to viscosity - bulk_viscosity/2 (2-D), 5/3 viscosity -
+    // bulk_viscosity (3-D); Espanol and Revenga 2003.
+    const double limit = (scene.dimension == 2 ? 2.0 : 5.0 / 3.0) * section.quantity("viscosity").value_or(0);
+    if (section.has("viscosity") && section.quantity("bulk_viscosity").value_or(0) > limit)
+      section.error("bulk_viscosity", fmt::format("must not exceed {} times the viscosity in {} dimensions",
+                                                  scene.dimension == 2 ? "2" : "5/3", scene.dimension));
+  }
+  if (!fluid && !scene.materials.empty())
+    root.error("materials", fmt::format("a flow (because of {}) needs a material of type \"fluid\"", why));
+}
+
+bool has_walls(const Scene& scene) {
+  const bool sides = std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), [](const auto& axis) {
+    return axis[0].type == SideType::wall || axis[1].type == SideType::wall;
+  });
+  return sides || std::any_of(scene.materials.begin(), scene.materials.end(),
+                              [](const Material& material) { return material.type == MaterialType::wall; });
+}
+
+void check_requests(const Asked& asked, const Scene& scene) {
+  const auto needs = [&](const char* effect, bool given, const char* what) {
+    if (asked.value(effect) == true && !given) asked.error(effect, what);
+  };
+  needs("bounce_back", has_walls(scene), "there are no walls to turn particles back; remove it");
+  needs("species_advection", !scene.species.empty(), "there are no species to carry; remove it");
+  needs("thermal_noise", scene.flow.thermal_energy.has_value(), "needs flow.temperature or flow.thermal_energy");
+  needs("thermal_noise", asked.value("viscosity") != false,
+        "needs the viscosity that it balances; remove effects.viscosity = false");
+}
+
+}  // namespace
+
+void build_effects(const Section& root, Scene& scene) {
+  const Asked asked(root);
+  const std::string why = driver(scene, asked);
+  Effects& effects = scene.effects;
+  effects.flow = asked.value("flow").value_or(!why.empty());
+  if (!effects.flow) {
+    for (const auto& [name, member] : of_flow) {
+      if (asked.value(name) == true) asked.error(name, "needs effects.flow, which is off");
+      effects.*member = false;
+    }
+    return;
+  }
+  check_flow_data(root, scene, why);
+  check_requests(asked, scene);
+  effects.bounce_back = has_walls(scene);
+  effects.species_advection = !scene.species.empty();
+  for (const auto& [name, member] : of_flow) effects.*member = asked.value(name).value_or(effects.*member);
+}
+
+}  // namespace shmoo::scene

@@ -1,0 +1,67 @@
+// Formulas in the light of the scene: the names that they may use and the dimensions of these.
+#include <algorithm>
+#include <array>
+
+#include "base/units.hpp"
+#include "scene/build.hpp"
+#include "scene/expression.hpp"
+
+namespace shmoo::scene {
+namespace {
+
+struct Names {
+  std::vector<Variable> variables;
+  std::size_t first_species = 0;
+};
+
+// Concentrations are tried over all that occurs, from a molecule in a cubic millimetre to water.
+Names names_of(const Draft& draft, bool rate_law) {
+  Names names;
+  const auto axis = [&](std::size_t i) {
+    names.variables.push_back(
+        {std::string(1, axis_names[i]), base::dimensions::length, draft.domain.lower[i], draft.domain.upper[i]});
+  };
+  for (std::size_t i = 0; i < 3; ++i) axis(i);
+  for (const auto& [name, value] : draft.parameters) {
+    const auto dimension = draft.parameter_dimensions.find(name);
+    names.variables.push_back(
+        {name, dimension == draft.parameter_dimensions.end() ? base::Dimension{} : dimension->second, value, value});
+  }
+  for (const auto& name : draft.bad_names) names.variables.push_back({name, {}});
+  if (rate_law) names.variables.push_back({"t", base::dimensions::time, 0, std::max(draft.run.until, 1e-300)});
+  names.first_species = names.variables.size();
+  if (rate_law)
+    for (const auto& species : draft.species)
+      if (is_identifier(species.name) && !draft.parameters.contains(species.name) &&
+          !draft.bad_names.contains(species.name))
+        names.variables.push_back({species.name, base::dimensions::concentration, 1e9, 1e29, true});
+  return names;
+}
+
+}  // namespace
+
+std::vector<int> check_formula(const Draft& draft, const Section& section, std::string_view key, const toml::node& at,
+                               const base::Dimension& dimension, bool rate_law) {
+  const auto [variables, first_species] = names_of(draft, rate_law);
+  std::vector<std::string> names;
+  for (const auto& variable : variables) names.push_back(variable.name);
+  std::vector<int> used;
+  try {
+    const Expression expression(at.value_or(std::string()), names);
+    bool sound = true;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      if (!expression.uses(i)) continue;
+      if (draft.bad_names.contains(names[i])) sound = false;
+      if (i < first_species) continue;
+      const auto species = std::find_if(draft.species.begin(), draft.species.end(),
+                                        [&](const Species& one) { return one.name == names[i]; });
+      used.push_back(static_cast<int>(species - draft.species.begin()));
+    }
+    if (sound) check_dimension(expression, variables, dimension);
+  } catch (const ExpressionError& error) {
+    section.error(at, key, error.what());
+  }
+  return used;
+}
+
+}  // namespace shmoo::scene

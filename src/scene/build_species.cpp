@@ -1,0 +1,92 @@
+// Parameters and species.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/nearest.hpp"
+#include "base/units.hpp"
+#include "scene/build.hpp"
+#include "scene/check.hpp"
+#include "scene/expression.hpp"
+
+namespace shmoo::scene {
+namespace {
+
+constexpr std::size_t longest_name = 64;  // bytes
+constexpr std::array coordinates{"x", "y", "z", "t"};
+
+std::string identifier_problem(const std::string& name) {
+  if (!is_identifier(name) || name.size() > longest_name)
+    return fmt::format("{} is no name for expressions; use up to {} letters, digits and _, not beginning with a digit",
+                       quoted(name), longest_name);
+  const auto& reserved = reserved_names();
+  if (std::find(coordinates.begin(), coordinates.end(), name) != coordinates.end() ||
+      std::find(reserved.begin(), reserved.end(), name) != reserved.end())
+    return fmt::format("'{}' has a meaning of its own in expressions; choose another name", name);
+  if (name == "nothing") return "'nothing' stands for no species in equations; choose another name";
+  return "";
+}
+
+void read_homes(const Section& section, const Scene& scene, Species& species) {
+  if (section.has("in")) {
+    bool good = true;
+    species.homes = material_list(scene, section, "in", good);
+    return;
+  }
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (scene.materials[i].type != MaterialType::wall) species.homes.push_back(static_cast<int>(i));
+  if (species.homes.empty() && !scene.materials.empty())
+    section.error("in", "missing; all materials are walls, so say in which of them the species lives");
+}
+
+}  // namespace
+
+void build_parameters(const Section& root, Draft& draft) {
+  const auto given = root.section("parameters");
+  if (!given) return;
+  for (const auto& [key, value] : given->table()) {
+    const std::string name(key.str());
+    if (const auto problem = identifier_problem(name); !problem.empty()) {
+      given->error(name, problem);
+    } else if (given->report().bad(value)) {
+      draft.bad_names.insert(name);
+    } else {
+      draft.parameters[name] = quantity_of(value);
+      const auto text = given->text(name);
+      if (value.is_string()) draft.parameter_dimensions[name] = base::parse_quantity(*text).dimension;
+    }
+  }
+}
+
+void build_species(const Section& root, Draft& draft) {
+  for (const auto& [name, section] : root.named_sections("species")) {
+    Species species;
+    species.name = name;
+    if (const auto problem = identifier_problem(name); !problem.empty()) section.error(problem);
+    if (draft.parameters.contains(name) || draft.bad_names.contains(name))
+      section.error(fmt::format("a parameter is called '{}' too; rename one of them", name));
+    species.diffusivity = section.quantity("diffusivity").value_or(0);
+    if (section.text("method") == "deterministic") species.method = SpeciesMethod::deterministic;
+    read_homes(section, draft, species);
+    draft.species.push_back(std::move(species));
+  }
+}
+
+int species_index(const Scene& scene, const std::string& name, const Section& section, std::string_view key,
+                  const toml::node& at) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    if (scene.species[i].name == name) return static_cast<int>(i);
+    names.push_back(scene.species[i].name);
+  }
+  section.error(at, key,
+                fmt::format("no species is called {}{} species: {}", quoted(name),
+                            base::nearest_name(name.substr(0, longest_name), names).empty()
+                                ? ";"
+                                : base::did_you_mean(name.substr(0, longest_name), names),
+                            base::list_of(names)));
+  return -1;
+}
+
+}  // namespace shmoo::scene

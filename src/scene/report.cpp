@@ -1,0 +1,62 @@
+#include "scene/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace shmoo::scene {
+namespace {
+
+constexpr std::size_t most_diagnostics = 100;
+constexpr std::size_t longest_quote = 60;  // bytes
+
+auto order(const base::Diagnostic& diagnostic) {
+  const auto& [file, line, column] = diagnostic.where;
+  return std::tuple(line == 0, line, column);  // those of the command line last
+}
+
+}  // namespace
+
+base::Location Report::location(const toml::source_region& at) const {
+  if (at.path && at.path->starts_with("--set")) return {*at.path, 0, 0};
+  return {file_, static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)};
+}
+
+void Report::add(const toml::node& at, std::string message) {
+  mark_bad(at);
+  add(at.source(), std::move(message));
+}
+
+void Report::add(const toml::source_region& at, std::string message) {
+  diagnostics_.push_back({location(at), std::move(message)});
+}
+
+void Report::finish() {
+  if (diagnostics_.empty()) return;
+  std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
+                   [](const auto& a, const auto& b) { return order(a) < order(b); });
+  if (diagnostics_.size() > most_diagnostics) {
+    const auto more = diagnostics_.size() - most_diagnostics;
+    diagnostics_.resize(most_diagnostics);
+    diagnostics_.push_back({{file_, 0, 0}, fmt::format("{} more mistakes are not shown", more)});
+  }
+  throw base::InputError(std::move(diagnostics_));
+}
+
+std::string quoted(std::string_view text) {
+  std::string shown;
+  bool cut = false;
+  for (const char character : text) {
+    // A cut must not fall inside a UTF-8 character.
+    if (shown.size() >= longest_quote && (static_cast<unsigned char>(character) & 0xc0) != 0x80) {
+      cut = true;
+      break;
+    }
+    const bool control = static_cast<unsigned char>(character) < 0x20 || character == 0x7f;
+    shown += control ? ' ' : character;
+  }
+  return fmt::format("\"{}{}\"", shown, cut ? "..." : "");
+}
+
+}  // namespace shmoo::scene

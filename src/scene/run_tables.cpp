@@ -1,0 +1,98 @@
+// The schema of running: numerics, observables, how long and what to keep.
+#include "scene/forms.hpp"
+#include "scene/tables.hpp"
+
+namespace shmoo::scene {
+
+using namespace forms;
+
+namespace {
+
+Table numerics_table() {
+  return {
+      "numerics",
+      "[numerics]",
+      "How it is computed. The defaults are safe.",
+      {{"kernel",
+        {choice({"lucy", "cubic_spline", "quintic_spline", "wendland_c2"})},
+        false,
+        "\"wendland_c2\"",
+        "smoothing kernel"},
+       {"reach", {number({1.5, 8})}, false, "3", "radius of the kernel, in spacings"},
+       {"pressure",
+        {choice({"symmetric", "difference"})},
+        false,
+        "\"symmetric\"",
+        "form of the pressure gradient: conserves momentum, or is more accurate"},
+       {"courant", {number({0, 1, true, false})}, false, "0.25", "of the acoustic time step"},
+       {"sampler",
+        {choice({"direct", "composition_rejection", "split"})},
+        false,
+        "\"composition_rejection\"",
+        "how stochastic events are drawn: exact and plain, exact and fast, or diffusion split from reactions"},
+       {"splitting", {choice({"lie", "strang"})}, false, "\"strang\"", "first or second order in the splitting step"},
+       {"splitting_step",
+        {quantity(dimensions::time, positive)},
+        false,
+        "derived",
+        "time between exchanges of flow, deterministic and stochastic chemistry"},
+       {"tolerance", {number({1e-14, 0.1})}, false, "1e-6", "relative, of deterministic chemistry"},
+       {"steady_tolerance",
+        {number({0, 1, true, true})},
+        false,
+        "never",
+        "relative change of the flow per crossing time below which it is taken as steady"}}};
+}
+
+Table observable_table() {
+  const Form axis = choice({"x", "y", "z"});
+  return {"observable",
+          "[[observable]]",
+          "A number or profile that is recorded under its name.",
+          {{"name", {text("letters, digits, _ and -")}, true, "", "what it is called"},
+           {"type",
+            {choice({"count", "concentration", "profile", "kinetic_energy", "max_speed", "temperature", "density_error",
+                     "min_distance", "velocity_profile"})},
+            true,
+            "",
+            "count: molecules of a species; concentration: the same per volume; profile: the same along an axis; the "
+            "others "
+            "belong to the fluid"},
+           {"species", {text("the name of a species")}, false, "", "for count, concentration and profile"},
+           {"in", {text("the name of a material")}, false, "all in which it lives", "only in this material"},
+           {"axis", {axis}, false, "\"x\"", "along which a profile runs"},
+           {"component", {axis}, false, "\"x\"", "of a velocity profile"},
+           {"bins", {integer(1, 1000000)}, false, "one per spacing", "of a profile"}},
+          ShapeUse::optional};
+}
+
+Table run_table() {
+  return {"run",
+          "[run]",
+          "How long, how often, what to keep.",
+          {{"until", {quantity(dimensions::time, positive)}, true, "", "end of the simulated time"},
+           {"record_every", {quantity(dimensions::time, positive)}, false, "a tenth of `until`", "interval of records"},
+           {"record_at",
+            {list({quantity(dimensions::time, not_negative)}, 0, 1000000)},
+            false,
+            "[]",
+            "further times to record"},
+           {"realisations", {integer(1, 1e7)}, false, "1", "how many runs with different chance"},
+           {"seed", {integer(0, 9223372036854775807.0)}, false, "1", "what all chance follows from"},
+           {"record",
+            {list({text("the name of a species or field")})},
+            false,
+            "all fields",
+            "fields to keep: names of species, `position`, `velocity`, `density`, `pressure`, `volume`"},
+           {"quantiles",
+            {list({number({0, 1, true, true})}, 0, 100)},
+            false,
+            "[0.05, 0.5, 0.95]",
+            "quantiles over the realisations, ascending"}}};
+}
+
+}  // namespace
+
+std::vector<Table> run_tables() { return {numerics_table(), observable_table(), run_table()}; }
+
+}  // namespace shmoo::scene

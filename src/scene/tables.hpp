@@ -1,0 +1,14 @@
+#pragma once
+// The parts of the schema's table, one function per part of a model.
+#include <vector>
+
+#include "scene/schema.hpp"
+
+namespace shmoo::scene {
+
+std::vector<Table> world_tables();      // the file itself, domain, materials, regions
+std::vector<Table> chemistry_tables();  // parameters, species, reactions, boundaries
+std::vector<Table> flow_tables();       // inflow, flow, effects
+std::vector<Table> run_tables();        // numerics, observables, run
+
+}  // namespace shmoo::scene

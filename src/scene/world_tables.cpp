@@ -1,0 +1,224 @@
+// The schema of space: the file itself, the domain, what fills it, and shapes.
+#include "scene/forms.hpp"
+#include "scene/tables.hpp"
+
+namespace shmoo::scene {
+
+using namespace forms;
+
+namespace {
+
+Table file_table() {
+  return {
+      "",
+      "the file",
+      "One file describes a whole case.",
+      {{"title", {text("any text")}, false, "\"\"", "what the case is, in one line"},
+       {"dimension", {integer(1, 3)}, true, "", "dimensions of space"},
+       {"depth",
+        {quantity(dimensions::length, positive)},
+        false,
+        "",
+        "2-D only: the thickness that a particle stands for; needed where there are species or a fluid"},
+       {"cross_section",
+        {quantity(dimensions::area, positive)},
+        false,
+        "",
+        "1-D only: the area that a particle stands for; needed where there are species or a fluid"},
+       {"network",
+        {refused()},
+        false,
+        "",
+        "reading an SBML network is not in this version; write [species.NAME] and [[reaction]] tables instead"},
+       {"domain", {subtable("domain")}, true, "", "size, spacing and sides"},
+       {"materials", {named({subtable("material")}, "the name of a material")}, true, "", "what fills space, by name"},
+       {"region",
+        {list({subtable("region")})},
+        false,
+        "[]",
+        "where the materials are; later regions overwrite earlier ones"},
+       {"parameters",
+        {named({unit_later("a number, or a number with any unit"), number(any)}, "the name of a parameter")},
+        false,
+        "{}",
+        "named numbers and quantities that expressions can use, in SI units"},
+       {"species",
+        {named({subtable("species")}, "the name of a species")},
+        false,
+        "{}",
+        "what diffuses and reacts, by name"},
+       {"initial",
+        {list({subtable("initial")})},
+        false,
+        "[]",
+        "initial amounts besides those of [species.NAME]; later ones overwrite earlier ones"},
+       {"reaction", {list({subtable("reaction")})}, false, "[]", "reactions"},
+       {"boundary",
+        {list({subtable("boundary")})},
+        false,
+        "[]",
+        "what species do at sides of the domain and at surfaces of materials; elsewhere they are reflected"},
+       {"inflow",
+        {list({subtable("inflow")})},
+        false,
+        "[]",
+        "zones in which velocity and concentrations relax towards given values"},
+       {"flow", {subtable("flow")}, false, "{}", "what drives the fluid, and its scales"},
+       {"effects", {subtable("effects")}, false, "{}", "what is computed"},
+       {"numerics", {subtable("numerics")}, false, "{}", "how it is computed"},
+       {"observable", {list({subtable("observable")})}, false, "[]", "named numbers and profiles to record"},
+       {"run", {subtable("run")}, true, "", "how long, how often, what to keep"}}};
+}
+
+Table domain_table() {
+  return {
+      "domain",
+      "[domain]",
+      "The box that is simulated.",
+      {{"size", {per_axis({quantity(dimensions::length, positive)})}, true, "", "lengths of the box, one per axis"},
+       {"spacing",
+        {quantity(dimensions::length, positive)},
+        true,
+        "",
+        "distance of neighbouring particles at the start"},
+       {"origin", {position()}, false, "0 on every axis", "lower corner of the box"},
+       {"boundary",
+        {choice({"periodic", "wall", "reflect"}), subtable("sides")},
+        false,
+        "\"reflect\"",
+        "all sides at once, or a table of sides"},
+       {"material",
+        {text("the name of a material")},
+        false,
+        "the only fluid, else the only still material",
+        "what fills all that no region covers; \"nothing\" for no particles"},
+       {"jitter",
+        {number({0, 0.5})},
+        false,
+        "0",
+        "random displacement of each starting position, uniform up to this many spacings either way on every axis"}}};
+}
+
+Table sides_table() {
+  const std::vector<Form> side{choice({"periodic", "wall", "reflect"}), subtable("side")};
+  std::vector<Key> keys;
+  for (std::string_view name : {"x", "y", "z"})
+    keys.push_back({name, side, false, "\"reflect\"", "both sides that this axis ends in"});
+  for (std::string_view name : {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"})
+    keys.push_back({name, side, false, "as its axis", "one side"});
+  return {"sides", "domain.boundary",
+          "The sides of the domain: \"periodic\", \"wall\" (no slip for the fluid, reflects species) "
+          "or \"reflect\" (free slip, reflects species).",
+          std::move(keys)};
+}
+
+Table side_table() {
+  return {"side",
+          "a side of domain.boundary",
+          "A side that is more than its type.",
+          {{"type", {choice({"periodic", "wall", "reflect"})}, true, "", "what the side does"},
+           {"velocity", {velocity()}, false, "at rest", "sliding velocity of a wall, along the wall"}}};
+}
+
+Table material_table() {
+  const auto turning =
+      std::vector<Form>{quantity(dimensions::frequency, any), list({quantity(dimensions::frequency, any)}, 3, 3)};
+  return {
+      "material",
+      "[materials.NAME]",
+      "A fluid flows where the flow is on. A wall is rigid and does not slip. A still material never moves and does "
+      "not act "
+      "on a fluid: gels, slabs, wells of pure chemistry.",
+      {{"type", {choice({"fluid", "wall", "still"})}, true, "", "what kind of material it is"},
+       {"density", {quantity(dimensions::density, positive)}, false, "", "of a fluid; needed where the flow is on"},
+       {"viscosity",
+        {quantity(dimensions::viscosity, positive)},
+        false,
+        "",
+        "dynamic shear viscosity of a fluid; needed where the flow is on"},
+       {"bulk_viscosity", {quantity(dimensions::viscosity, not_negative)}, false, "\"0 Pa s\"", "of a fluid"},
+       {"velocity", {velocity()}, false, "at rest", "of a wall whose particles move"},
+       {"angular_velocity", turning, false, "at rest",
+        "of a wall whose particles turn round `center`: one quantity in 2-D, three in 3-D"},
+       {"surface_velocity", {velocity()}, false, "at rest", "of a wall whose surface slides while its particles stay"},
+       {"surface_angular_velocity", turning, false, "at rest",
+        "of a wall whose surface turns round `center` while its particles stay"},
+       {"center", {position()}, false, "", "what an angular velocity turns round"}}};
+}
+
+Table region_table() {
+  return {"region",
+          "[[region]]",
+          "A shape filled with a material.",
+          {{"material", {text("the name of a material")}, true, "", "what fills it"}},
+          ShapeUse::required};
+}
+
+Table part_table() {
+  return {
+      "part", "a shape of a union or difference", "A shape inside another; at most 32 deep.", {}, ShapeUse::required};
+}
+
+Key center_key() { return {"center", {position()}, true, "", "its centre"}; }
+
+std::vector<Key> ball_keys() {
+  return {center_key(),
+          {"diameter", {quantity(dimensions::length, positive)}, false, "", "its diameter, or"},
+          {"radius", {quantity(dimensions::length, positive)}, false, "", "its radius"}};
+}
+
+std::vector<Key> shell_keys() {
+  const Form pair = list({quantity(dimensions::length, not_negative)}, 2, 2);
+  return {center_key(),
+          {"diameter", {pair}, false, "", "inner and outer diameter, or"},
+          {"radius", {pair}, false, "", "inner and outer radius"}};
+}
+
+std::vector<Key> half_space_keys() {
+  return {{"point", {position()}, true, "", "a point of its surface"},
+          {"normal", {per_axis({number(any)})}, true, "", "direction that points out of it"}};
+}
+
+}  // namespace
+
+std::vector<Table> world_tables() {
+  return {file_table(), domain_table(), sides_table(), side_table(), material_table(), region_table(), part_table()};
+}
+
+const std::vector<ShapeTable>& shape_tables() {
+  static const std::vector<ShapeTable> shapes{
+      {"box",
+       {1, 2, 3},
+       {{"lower", {position()}, true, "", "lower corner"}, {"upper", {position()}, true, "", "upper corner"}}},
+      {"disk", {2}, ball_keys()},
+      {"ball", {1, 2, 3}, ball_keys()},
+      {"ring", {2}, shell_keys()},
+      {"shell", {1, 2, 3}, shell_keys()},
+      {"half_plane", {2}, half_space_keys()},
+      {"half_space", {1, 2, 3}, half_space_keys()},
+      {"polygon",
+       {2},
+       {{"corners",
+         {list({list({quantity(dimensions::length, any)}, 2, 2)}, 3, 100000)},
+         true,
+         "",
+         "corners in order; the last is joined to the first"}}},
+      {"union", {1, 2, 3}, {{"of", {list({subtable("part")}, 1)}, true, "", "shapes that together make it"}}},
+      {"difference",
+       {1, 2, 3},
+       {{"from", {subtable("part")}, true, "", "the shape that is cut"},
+        {"without", {subtable("part")}, true, "", "the shape that is cut away"}}}};
+  return shapes;
+}
+
+const Key& shape_key() {
+  static const Key key{
+      "shape",
+      {choice({"box", "disk", "ball", "ring", "shell", "half_plane", "half_space", "polygon", "union", "difference"})},
+      true,
+      "",
+      "the kind of shape; its own keys follow"};
+  return key;
+}
+
+}  // namespace shmoo::scene

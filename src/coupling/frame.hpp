@@ -1,0 +1,29 @@
+#pragma once
+// The particles over one interval of time, by id, as chemistry sees them, and a picture of the fluid at one moment.
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace shmoo::coupling {
+
+template <int D>
+struct Frame {
+  std::vector<base::Vec<D>> position;  // [m], in the middle of the interval
+  std::vector<base::Vec<D>> arrival;   // [m], at its end
+  std::vector<base::Vec<D>> drift;     // [m/s], mean transport minus fluid velocity; empty where nothing is carried
+  std::vector<double> capacity;        // [m^D] what each voxel holds, in the middle of the interval
+  bool steady = false;                 // nothing changes any more: the frame serves every later interval, too
+};
+
+template <int D>
+struct FlowPicture {
+  std::vector<base::Vec<D>> position, velocity;  // [m], [m/s], by id, voxels only
+  std::vector<double> density, pressure;         // [kg/m^3], [Pa]
+  double kinetic_energy = 0;                     // [J]
+  double max_speed = 0;                          // [m/s]
+  double temperature = 0;                        // [J], kT
+  double density_error = 0;                      // max |rho/rho0 - 1|
+  double min_distance = 0;                       // smallest distance of two fluid particles, in spacings
+};
+
+}  // namespace shmoo::coupling

@@ -1,0 +1,178 @@
+#include "coupling/geometry.hpp"
+
+#include <algorithm>
+
+namespace shmoo::coupling {
+namespace {
+
+constexpr std::uint32_t surface = 6;  // boundaries 0..5 are sides, 6 + material its surface
+
+rdme::SideUse use_of(scene::BoundaryType type) {
+  switch (type) {
+    case scene::BoundaryType::reflect: return rdme::SideUse::reflect;
+    case scene::BoundaryType::flux: return rdme::SideUse::flux;
+    case scene::BoundaryType::fixed:
+    case scene::BoundaryType::absorb: break;
+  }
+  return rdme::SideUse::open;
+}
+
+bool clamps(scene::BoundaryType type) {
+  return type == scene::BoundaryType::fixed || type == scene::BoundaryType::absorb;
+}
+
+// Copies the carried volume onto the pairs that the habitat shares with the carrying graph; both rows ascend by target.
+void attach_flow(const rdme::JumpGraph& carrying, rdme::JumpGraph& graph) {
+  graph.flow.assign(graph.target.size(), 0.0);
+  for (std::size_t i = 0; i + 1 < graph.first.size(); ++i) {
+    std::uint64_t c = carrying.first[i];
+    for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) {
+      while (c < carrying.first[i + 1] && carrying.target[c] < graph.target[p]) ++c;
+      if (c < carrying.first[i + 1] && carrying.target[c] == graph.target[p]) graph.flow[p] = carrying.flow[c];
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+Geometry<D>::Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material, double reach)
+    : scene_(scene), box_(box), material_(std::move(material)), kernel_(sph::make_kernel<D>(scene.numerics.kernel, reach)) {
+  if (scene.effects.flow && scene.effects.species_advection) {
+    carried_.assign(scene.materials.size(), false);
+    for (const auto& species : scene.species) {
+      for (const int home : species.homes) {
+        const auto m = static_cast<std::size_t>(home);
+        carried_[m] = carried_[m] || scene.materials[m].type == scene::MaterialType::fluid;
+      }
+    }
+    if (std::find(carried_.begin(), carried_.end(), true) == carried_.end()) carried_.clear();
+  }
+  find_habitats();
+}
+
+template <int D>
+bool Geometry<D>::lives_in(std::size_t species, std::uint16_t material) const {
+  const auto& homes = scene_.species[species].homes;
+  return std::find(homes.begin(), homes.end(), int(material)) != homes.end();
+}
+
+template <int D>
+void Geometry<D>::find_habitats() {
+  const std::size_t materials = scene_.materials.size();
+  for (std::size_t s = 0; s < scene_.species.size(); ++s) {
+    const std::vector<bool> none(materials, false);
+    rdme::Habitat habitat{none, none, none, none, {}};
+    bool moves = scene_.species[s].diffusivity > 0.0;
+    for (const int home : scene_.species[s].homes) {
+      habitat.home[static_cast<std::size_t>(home)] = true;
+      moves = moves || (!carried_.empty() && carried_[static_cast<std::size_t>(home)]);
+    }
+    for (const auto& boundary : scene_.boundaries) {
+      if (boundary.species != int(s)) continue;
+      if (boundary.axis >= 0) {
+        habitat.side[static_cast<std::size_t>(2 * boundary.axis + boundary.side)] = use_of(boundary.type);
+      } else if (clamps(boundary.type)) {
+        habitat.clamped[static_cast<std::size_t>(boundary.material)] = true;
+        habitat.home[static_cast<std::size_t>(boundary.material)] = false;
+      } else if (boundary.type == scene::BoundaryType::flux) {
+        habitat.source[static_cast<std::size_t>(boundary.material)] = true;
+        moves = true;
+      }
+    }
+    if (!moves) {
+      habitat_of_species_.push_back(-1);
+      continue;
+    }
+    const auto known = std::find(habitats_.begin(), habitats_.end(), habitat);
+    habitat_of_species_.push_back(static_cast<int>(known - habitats_.begin()));
+    if (known == habitats_.end()) habitats_.push_back(habitat);
+  }
+}
+
+template <int D>
+rdme::JumpGraph Geometry<D>::carrying_graph(const std::vector<base::Vec<D>>& position, const std::vector<double>& capacity,
+                                            const std::vector<base::Vec<D>>& drift, bool steady) const {
+  const std::vector<bool> none(scene_.materials.size(), false);
+  const rdme::Habitat habitat{carried_, none, none, carried_, {}};
+  const rdme::Places<D> places{position, capacity, drift, material_};
+  auto graph = rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat).graph;
+  if (steady) {
+    std::vector<double> volume(capacity);
+    for (double& v : volume) v *= scene_.depth;
+    rdme::make_divergence_free(graph, volume);
+  }
+  return graph;
+}
+
+template <int D>
+std::shared_ptr<const rdme::Voxels> Geometry<D>::voxels(const Frame<D>& frame) const {
+  auto voxels = std::make_shared<rdme::Voxels>();
+  voxels->material = material_;
+  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+    voxels->volume.push_back(frame.capacity[i] * scene_.depth);
+    auto& place = voxels->position.emplace_back();
+    for (int a = 0; a < D; ++a) place[a] = frame.position[i][a];
+  }
+  rdme::JumpGraph carrying;
+  if (!frame.drift.empty()) carrying = carrying_graph(frame.position, frame.capacity, frame.drift, frame.steady);
+  voxels->graph_of_species = habitat_of_species_;
+  const rdme::Places<D> places{frame.position, frame.capacity, {}, material_};
+  std::vector<rdme::HabitatGraph> graphs;
+  for (const auto& habitat : habitats_) {
+    graphs.push_back(rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat));
+    if (!frame.drift.empty()) attach_flow(carrying, graphs.back().graph);
+  }
+  for (std::size_t s = 0; s < scene_.species.size(); ++s) {
+    if (habitat_of_species_[s] >= 0) add_boundary_exchanges(s, graphs[std::size_t(habitat_of_species_[s])], *voxels);
+    add_sponge_exchanges(s, *voxels);
+  }
+  std::stable_sort(voxels->exchanges.begin(), voxels->exchanges.end(), [](const auto& a, const auto& b) {
+    return a.voxel != b.voxel ? a.voxel < b.voxel : a.species < b.species;
+  });
+  for (auto& graph : graphs) voxels->graphs.push_back(std::move(graph.graph));
+  return voxels;
+}
+
+template <int D>
+void Geometry<D>::add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const {
+  const double kappa = scene_.species[species].diffusivity;
+  for (const auto& contact : graph.contacts) {
+    for (const auto& boundary : scene_.boundaries) {
+      if (boundary.species != int(species) || boundary.type == scene::BoundaryType::reflect) continue;
+      const auto key = boundary.axis >= 0 ? std::uint32_t(2 * boundary.axis + boundary.side)
+                                          : surface + static_cast<std::uint32_t>(boundary.material);
+      if (key != contact.boundary) continue;
+      const double exit = kappa * contact.exchange;
+      const double held = boundary.type == scene::BoundaryType::fixed ? boundary.value : 0.0;
+      const double flux = boundary.type == scene::BoundaryType::flux ? boundary.value * contact.area : 0.0;
+      const double entry = exit * held * voxels.volume[contact.voxel] + flux;
+      if (exit > 0.0 || entry > 0.0) {
+        voxels.exchanges.push_back({contact.voxel, static_cast<std::uint16_t>(species), 0, exit, entry});
+      }
+    }
+  }
+}
+
+template <int D>
+void Geometry<D>::add_sponge_exchanges(std::size_t species, rdme::Voxels& voxels) const {
+  for (const auto& inflow : scene_.inflows) {
+    for (const auto& [which, target] : inflow.species) {
+      if (which != int(species)) continue;
+      const sph::Sponge sponge(inflow, std::max(scene_.species[species].diffusivity, 1e-300), D);
+      for (std::size_t i = 0; i < voxels.size(); ++i) {
+        if (!lives_in(species, voxels.material[i])) continue;
+        const double rate = sponge.rate(voxels.position[i]);
+        if (rate == 0.0) continue;
+        voxels.exchanges.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint16_t>(species), 0, rate,
+                                    rate * target * voxels.volume[i]});
+      }
+    }
+  }
+}
+
+template class Geometry<1>;
+template class Geometry<2>;
+template class Geometry<3>;
+
+}  // namespace shmoo::coupling

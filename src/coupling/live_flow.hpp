@@ -1,0 +1,37 @@
+#pragma once
+// The one place where the coupling meets the fluid: a fluid in motion, told by persistent id and for voxels only.
+#include <memory>
+#include <vector>
+
+#include "base/random.hpp"
+#include "coupling/experiment.hpp"
+#include "coupling/frame.hpp"
+#include "scene/scene.hpp"
+#include "sph/fill.hpp"
+
+namespace shmoo::coupling {
+
+template <int D>
+class LiveFlow {
+ public:
+  virtual ~LiveFlow() = default;
+
+  // How far the species' interval may reach: particles move at most a quarter of a spacing in it. [s]
+  virtual double interval() const = 0;
+
+  // To time `until` exactly [s]. Where `frame` is not null it receives the mean positions, arrivals and mean drift.
+  virtual void advance(double until, Frame<D>* frame) = 0;
+
+  virtual void picture(FlowPicture<D>& picture) const = 0;
+
+  // Whether the velocity field changes by less than numerics.steady_tolerance; false where none is given.
+  virtual bool steady() const = 0;
+
+  virtual std::vector<Experiment::Derived> derived() const = 0;
+};
+
+// Throws base::InputError in 1-D, where no flow exists. `key` addresses the thermal noise.
+template <int D>
+std::unique_ptr<LiveFlow<D>> make_live_flow(const scene::Scene& scene, const base::RandomKey& key);
+
+}  // namespace shmoo::coupling

@@ -1,0 +1,84 @@
+#include "coupling/splitting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shmoo::coupling {
+namespace {
+
+constexpr double part_of_time_scale = 0.05;
+
+// Whether an integrated reaction and a sampled one touch each other's species.
+bool kinds_meet(const rdme::Network& network) {
+  for (const auto& reaction : network.reactions()) {
+    for (const int s : reaction.reads)
+      if (network.stochastic(s) != reaction.stochastic) return true;
+    for (const auto& change : reaction.changes)
+      if (network.stochastic(change.species) != reaction.stochastic) return true;
+  }
+  return false;
+}
+
+// The largest rate [1/s] at which a reaction uses up one of its reactants.
+std::pair<double, std::string> fastest_reaction(const rdme::Network& network, const std::vector<double>& reference) {
+  double fastest = 0.0;
+  std::string name;
+  for (const auto& reaction : network.reactions()) {
+    if (!reaction.expression.empty()) continue;
+    double v = reaction.rate_constant;
+    for (const auto& term : reaction.reactants) v *= std::pow(reference[std::size_t(term.species)], term.count);
+    for (const auto& term : reaction.reactants) {
+      const double c = reference[std::size_t(term.species)];
+      const double rate = c > 0.0 ? term.count * v / c : 0.0;
+      if (rate > fastest) {
+        fastest = rate;
+        name = reaction.name;
+      }
+    }
+  }
+  return {fastest, name};
+}
+
+}  // namespace
+
+std::vector<double> reference_concentrations(const scene::Scene& scene) {
+  std::vector<double> reference(scene.species.size(), 0.0);
+  const auto raise = [&](int species, double to) {
+    reference[std::size_t(species)] = std::max(reference[std::size_t(species)], to);
+  };
+  for (const auto& initial : scene.initials) raise(initial.species, initial.concentration.value);
+  for (const auto& boundary : scene.boundaries)
+    if (boundary.type == scene::BoundaryType::fixed) raise(boundary.species, boundary.value);
+  for (const auto& inflow : scene.inflows)
+    for (const auto& [species, target] : inflow.species) raise(species, target);
+  for (std::size_t round = 0; round < scene.reactions.size(); ++round) {
+    for (const auto& reaction : scene.reactions) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& term : reaction.reactants) least = std::min(least, reference[std::size_t(term.species)]);
+      if (reaction.reactants.empty() || !(least > 0.0)) continue;
+      for (const auto& term : reaction.products)
+        if (reference[std::size_t(term.species)] == 0.0) raise(term.species, least);
+    }
+  }
+  return reference;
+}
+
+Step splitting_step(const scene::Scene& scene, const rdme::Network& network) {
+  if (scene.numerics.splitting_step) return {*scene.numerics.splitting_step, "as given by numerics.splitting_step"};
+  const bool split_sampler = scene.numerics.sampler == scene::Sampler::split && network.any_sampled();
+  const bool time_dependent = network.sampled_rates_change_in_time();
+  if (!split_sampler && !kinds_meet(network) && !time_dependent) {
+    return {std::numeric_limits<double>::infinity(), "nothing is split: every process of this scene is advanced as one"};
+  }
+  const auto [rate, name] = fastest_reaction(network, reference_concentrations(scene));
+  const double fallback = 0.1 * scene.run.record_every;
+  if (rate == 0.0) return {fallback, "a tenth of run.record_every, as no rate constant tells a time scale"};
+  const double step = part_of_time_scale / rate;
+  if (time_dependent && fallback < step) return {fallback, "a tenth of run.record_every, as a sampled rate changes in time"};
+  return {step, fmt::format("{:g} of the time scale of the fastest reaction, {}", part_of_time_scale, name)};
+}
+
+}  // namespace shmoo::coupling

@@ -1,0 +1,115 @@
+#include "coupling/timeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "coupling/schedule.hpp"
+
+namespace shmoo::coupling {
+
+template <int D>
+Timeline<D>::Timeline(const scene::Scene& scene, const Geometry<D>& geometry, const std::vector<double>& times,
+                      const Step& chemistry_step, std::unique_ptr<LiveFlow<D>> flow, std::vector<base::Vec<D>> start,
+                      double cell, bool has_chemistry)
+    : scene_(scene),
+      geometry_(geometry),
+      times_(times),
+      chemistry_step_(chemistry_step.value),
+      flow_(std::move(flow)),
+      has_chemistry_(has_chemistry),
+      capacity_(start.size(), cell) {
+  if (flow_) flow_->picture(picture_);
+  if (!has_chemistry_) return;
+  Frame<D> frame{start, start, {}, capacity_, flow_ == nullptr};
+  start_ = std::make_shared<LazyVoxels<D>>(geometry_, std::move(frame));
+  if (!flow_) standing_ = start_;
+}
+
+template <int D>
+bool Timeline<D>::run(const std::function<bool(const Interval<D>&)>& visit) {
+  double t = 0.0;
+  std::uint64_t number = 0;
+  for (std::size_t record = 1; record < times_.size(); ++record) {
+    while (t < times_[record]) {
+      Interval<D> interval = next(t, times_[record]);
+      interval.number = number++;
+      t = interval.end;
+      if (t >= times_[record]) {
+        interval.record = static_cast<long>(record);
+        if (flow_ && steady_since_ < 0.0) flow_->picture(picture_);
+        if (flow_) interval.picture = &picture_;
+      }
+      if (!visit(interval)) return false;
+    }
+  }
+  return true;
+}
+
+template <int D>
+Interval<D> Timeline<D>::next(double t, double target) {
+  if (flow_ && steady_since_ < 0.0 && flow_->steady()) freeze(t);
+  if (flow_ && steady_since_ < 0.0) return next_moving(t, target);
+  Interval<D> interval;
+  interval.begin = t;
+  interval.end = interval_end(t, chemistry_step_, target);
+  interval.geometry = standing_;
+  return interval;
+}
+
+// The flow goes ahead; the species follow on the particles' mean positions, with what passed between them.
+template <int D>
+Interval<D> Timeline<D>::next_moving(double t, double target) {
+  Interval<D> interval;
+  interval.begin = t;
+  interval.end = interval_end(t, std::min(chemistry_step_, flow_->interval()), target);
+  const double dt = interval.end - t;
+  if (!has_chemistry_) {
+    flow_->advance(interval.end, nullptr);
+    return interval;
+  }
+  Frame<D> frame;
+  flow_->advance(interval.end, &frame);
+  if (geometry_.carries()) {
+    const auto graph = geometry_.carrying_graph(frame.position, capacity_, frame.drift, false);
+    frame.capacity = capacity_;
+    for (std::size_t i = 0; i < capacity_.size(); ++i) {
+      double out = 0.0;
+      for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) out += graph.flow[p];
+      const double change = out * dt / scene_.depth;
+      frame.capacity[i] -= 0.5 * change;
+      capacity_[i] -= change;
+      if (!(capacity_[i] > 0.0)) {
+        throw base::RunError(fmt::format("the capacity of voxel {} fell to nothing at {:g} s; the flow leaves it faster than its "
+                                         "neighbours can follow - use a smaller domain.spacing", i, interval.end));
+      }
+    }
+  } else {
+    frame.capacity = capacity_;
+    frame.drift.clear();
+  }
+  interval.geometry = std::make_shared<LazyVoxels<D>>(geometry_, std::move(frame));
+  return interval;
+}
+
+// From now on particles stand and the steady flow passes through them.
+template <int D>
+void Timeline<D>::freeze(double t) {
+  steady_since_ = t;
+  flow_->picture(picture_);
+  if (!has_chemistry_) return;
+  Frame<D> frame{picture_.position, picture_.position, {}, capacity_, true};
+  if (geometry_.carries()) {
+    frame.drift = picture_.velocity;
+    for (auto& v : frame.drift) v = -v;
+  }
+  standing_ = std::make_shared<LazyVoxels<D>>(geometry_, std::move(frame));
+}
+
+template class Timeline<1>;
+template class Timeline<2>;
+template class Timeline<3>;
+
+}  // namespace shmoo::coupling

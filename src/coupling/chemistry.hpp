@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "base/random.hpp"
+#include "coupling/experiment.hpp"
+#include "coupling/stage.hpp"
 #include "rdme/deterministic.hpp"
 #include "rdme/network.hpp"
 #include "rdme/sampler.hpp"
@@ -16,24 +18,27 @@ class Chemistry {
  public:
   Chemistry(const scene::Scene& scene, const rdme::Network& network, const base::RandomKey& key);
 
-  // Draws the initial amounts for these voxels.
-  void begin(std::shared_ptr<const rdme::Voxels> voxels);
+  // Draws the initial amounts on this ground.
+  void begin(std::shared_ptr<const Ground> ground);
 
-  // From t to t + dt [s] in voxels that keep their shape. Lie: deterministic, then stochastic; Strang: half of the
+  // From t to t + dt [s] on ground that keeps its shape. Lie: deterministic, then stochastic; Strang: half of the
   // deterministic part before and half after. `interval` numbers the calls of one realisation.
-  void advance(std::shared_ptr<const rdme::Voxels> voxels, double t, double dt, std::uint64_t interval);
+  void advance(std::shared_ptr<const Ground> ground, double t, double dt, std::uint64_t interval);
+
+  // The ledger and what happened. Throws nothing: an imbalance is told in the outcome.
+  void close(Outcome& outcome) const;
 
   const rdme::State& state() const { return state_; }
-  const rdme::Voxels& voxels() const { return *voxels_; }
+  const rdme::Voxels& voxels() const { return ground_->voxels; }
 
  private:
-  void bind(std::shared_ptr<const rdme::Voxels> voxels);
+  void bind(std::shared_ptr<const Ground> ground);
 
   const scene::Scene& scene_;
   const rdme::Network& network_;
   base::RandomKey key_;
   rdme::State state_;
-  std::shared_ptr<const rdme::Voxels> voxels_;
+  std::shared_ptr<const Ground> ground_;
   std::unique_ptr<rdme::Sampler> sampler_;               // null where no species is stochastic
   std::unique_ptr<rdme::DeterministicSolver> solver_;    // null where no species is deterministic
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -81,6 +82,7 @@ class ExperimentOf final : public Experiment {
         network_(*scene_),
         filling_(sph::fill<D>(*scene_)),
         geometry_(*scene_, filling_.box, voxel_materials(filling_), scene_->numerics.reach * filling_.spacing.maxCoeff()),
+        stages_(geometry_, *scene_, network_),
         has_chemistry_(network_.species() > 0),
         flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),
         step_(splitting_step(*scene_, network_)),
@@ -100,8 +102,8 @@ class ExperimentOf final : public Experiment {
 
   std::unique_ptr<Timeline<D>> make_timeline(const base::RandomKey& key) const {
     auto flow = scene_->effects.flow ? make_live_flow<D>(*scene_, key) : nullptr;
-    return std::make_unique<Timeline<D>>(*scene_, geometry_, recorder_.layout().times, step_, std::move(flow),
-                                         voxel_positions(filling_), filling_.cell, has_chemistry_);
+    return std::make_unique<Timeline<D>>(*scene_, stages_, recorder_.layout().times, step_, std::move(flow),
+                                         voxel_positions(filling_), filling_.cell);
   }
 
   // One realisation, from its first molecule to its last record.
@@ -111,18 +113,18 @@ class ExperimentOf final : public Experiment {
     Chemistry chemistry(*scene_, network_, key);
     if (has_chemistry_) {
       const auto start = own_flow ? own_flow->start() : start_;
-      chemistry.begin(start->get());
+      chemistry.begin(start->ground());
       recorder_.chemistry(0, chemistry, start->frame().arrival, sink);
     }
     if (own_flow) recorder_.flow(0, *own_flow->start_picture(), sink);
     const auto live = [&](const Interval<D>& interval) {
       if (progress.stop && progress.stop()) return false;
       if (has_chemistry_) {
-        chemistry.advance(interval.geometry->get(), interval.begin, interval.end - interval.begin, interval.number);
+        chemistry.advance(interval.stage->ground(), interval.begin, interval.end - interval.begin, interval.number);
       }
       if (interval.record >= 0) {
         const auto time = std::size_t(interval.record);
-        if (has_chemistry_) recorder_.chemistry(time, chemistry, interval.geometry->frame().arrival, sink);
+        if (has_chemistry_) recorder_.chemistry(time, chemistry, interval.stage->frame().arrival, sink);
         if (own_flow) recorder_.flow(time, *interval.picture, sink);
       }
       if (progress.report) progress.report(interval.end / scene_->run.until);
@@ -137,11 +139,12 @@ class ExperimentOf final : public Experiment {
   rdme::Network network_;
   sph::Filling<D> filling_;
   Geometry<D> geometry_;
+  StageBuilder<D> stages_;
   bool has_chemistry_, flow_random_;
   Step step_;
   Recorder<D> recorder_;
   std::vector<Derived> derived_;
-  std::shared_ptr<const LazyVoxels<D>> start_;
+  std::shared_ptr<const Stage<D>> start_;
   std::vector<Interval<D>> intervals_;  // of the flow that all realisations share
   Outcome alike_;                       // where nothing is random: the outcome of every realisation
 };

@@ -106,17 +106,17 @@ rdme::JumpGraph Geometry<D>::carrying_graph(const std::vector<base::Vec<D>>& pos
 }
 
 template <int D>
-std::shared_ptr<const rdme::Voxels> Geometry<D>::voxels(const Frame<D>& frame) const {
-  auto voxels = std::make_shared<rdme::Voxels>();
-  voxels->material = material_;
+rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
+  rdme::Voxels voxels;
+  voxels.material = material_;
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
-    voxels->volume.push_back(frame.capacity[i] * scene_.depth);
-    auto& place = voxels->position.emplace_back();
+    voxels.volume.push_back(frame.capacity[i] * scene_.depth);
+    auto& place = voxels.position.emplace_back();
     for (int a = 0; a < D; ++a) place[a] = frame.position[i][a];
   }
   rdme::JumpGraph carrying;
   if (!frame.drift.empty()) carrying = carrying_graph(frame.position, frame.capacity, frame.drift, frame.steady);
-  voxels->graph_of_species = habitat_of_species_;
+  voxels.graph_of_species = habitat_of_species_;
   const rdme::Places<D> places{frame.position, frame.capacity, {}, material_};
   std::vector<rdme::HabitatGraph> graphs;
   for (const auto& habitat : habitats_) {
@@ -124,13 +124,13 @@ std::shared_ptr<const rdme::Voxels> Geometry<D>::voxels(const Frame<D>& frame) c
     if (!frame.drift.empty()) attach_flow(carrying, graphs.back().graph);
   }
   for (std::size_t s = 0; s < scene_.species.size(); ++s) {
-    if (habitat_of_species_[s] >= 0) add_boundary_exchanges(s, graphs[std::size_t(habitat_of_species_[s])], *voxels);
-    add_sponge_exchanges(s, *voxels);
+    if (habitat_of_species_[s] >= 0) add_boundary_exchanges(s, graphs[std::size_t(habitat_of_species_[s])], voxels);
+    add_sponge_exchanges(s, voxels);
   }
-  std::stable_sort(voxels->exchanges.begin(), voxels->exchanges.end(), [](const auto& a, const auto& b) {
+  std::stable_sort(voxels.exchanges.begin(), voxels.exchanges.end(), [](const auto& a, const auto& b) {
     return a.voxel != b.voxel ? a.voxel < b.voxel : a.species < b.species;
   });
-  for (auto& graph : graphs) voxels->graphs.push_back(std::move(graph.graph));
+  for (auto& graph : graphs) voxels.graphs.push_back(std::move(graph.graph));
   return voxels;
 }
 
@@ -148,7 +148,7 @@ void Geometry<D>::add_boundary_exchanges(std::size_t species, const rdme::Habita
       const double flux = boundary.type == scene::BoundaryType::flux ? boundary.value * contact.area : 0.0;
       const double entry = exit * held * voxels.volume[contact.voxel] + flux;
       if (exit > 0.0 || entry > 0.0) {
-        voxels.exchanges.push_back({contact.voxel, static_cast<std::uint16_t>(species), 0, exit, entry});
+        voxels.exchanges.push_back({contact.voxel, static_cast<std::uint32_t>(species), exit, entry});
       }
     }
   }
@@ -164,7 +164,7 @@ void Geometry<D>::add_sponge_exchanges(std::size_t species, rdme::Voxels& voxels
         if (!lives_in(species, voxels.material[i])) continue;
         const double rate = sponge.rate(voxels.position[i]);
         if (rate == 0.0) continue;
-        voxels.exchanges.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint16_t>(species), 0, rate,
+        voxels.exchanges.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(species), rate,
                                     rate * target * voxels.volume[i]});
       }
     }

@@ -1,7 +1,6 @@
 #pragma once
 // From a frame to the voxels of chemistry: one jump graph per distinct habitat, what the fluid carries, and the exchange with
 // everything outside (sides, clamped materials, fluxes, sponges).
-#include <memory>
 #include <vector>
 
 #include "base/box.hpp"
@@ -24,7 +23,7 @@ class Geometry {
   bool carries() const { return !carried_.empty(); }
 
   // Where nothing carries and the particles rest, pass a frame without drift.
-  std::shared_ptr<const rdme::Voxels> voxels(const Frame<D>& frame) const;
+  rdme::Voxels voxels(const Frame<D>& frame) const;
 
   // What the fluid carries between voxels [m^3/s] for areas as given; flow summed to zero where `steady`.
   rdme::JumpGraph carrying_graph(const std::vector<base::Vec<D>>& position, const std::vector<double>& capacity,

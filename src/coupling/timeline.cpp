@@ -11,20 +11,18 @@
 namespace shmoo::coupling {
 
 template <int D>
-Timeline<D>::Timeline(const scene::Scene& scene, const Geometry<D>& geometry, const std::vector<double>& times,
+Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder, const std::vector<double>& times,
                       const Step& chemistry_step, std::unique_ptr<LiveFlow<D>> flow, std::vector<base::Vec<D>> start,
-                      double cell, bool has_chemistry)
+                      double cell)
     : scene_(scene),
-      geometry_(geometry),
+      builder_(builder),
       times_(times),
       chemistry_step_(chemistry_step.value),
       flow_(std::move(flow)),
-      has_chemistry_(has_chemistry),
       capacity_(start.size(), cell) {
   if (flow_) flow_->picture(picture_);
-  if (!has_chemistry_) return;
-  Frame<D> frame{start, start, {}, capacity_, flow_ == nullptr};
-  start_ = std::make_shared<LazyVoxels<D>>(geometry_, std::move(frame));
+  if (!builder_.has_chemistry()) return;
+  start_ = builder_.stage({start, start, {}, capacity_, flow_ == nullptr});
   if (!flow_) standing_ = start_;
 }
 
@@ -55,7 +53,7 @@ Interval<D> Timeline<D>::next(double t, double target) {
   Interval<D> interval;
   interval.begin = t;
   interval.end = interval_end(t, chemistry_step_, target);
-  interval.geometry = standing_;
+  interval.stage = standing_;
   return interval;
 }
 
@@ -65,33 +63,34 @@ Interval<D> Timeline<D>::next_moving(double t, double target) {
   Interval<D> interval;
   interval.begin = t;
   interval.end = interval_end(t, std::min(chemistry_step_, flow_->interval()), target);
-  const double dt = interval.end - t;
-  if (!has_chemistry_) {
+  if (!builder_.has_chemistry()) {
     flow_->advance(interval.end, nullptr);
     return interval;
   }
   Frame<D> frame;
   flow_->advance(interval.end, &frame);
-  if (geometry_.carries()) {
-    const auto graph = geometry_.carrying_graph(frame.position, capacity_, frame.drift, false);
-    frame.capacity = capacity_;
-    for (std::size_t i = 0; i < capacity_.size(); ++i) {
-      double out = 0.0;
-      for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) out += graph.flow[p];
-      const double change = out * dt / scene_.depth;
-      frame.capacity[i] -= 0.5 * change;
-      capacity_[i] -= change;
-      if (!(capacity_[i] > 0.0)) {
-        throw base::RunError(fmt::format("the capacity of voxel {} fell to nothing at {:g} s; the flow leaves it faster than its "
-                                         "neighbours can follow - use a smaller domain.spacing", i, interval.end));
-      }
-    }
-  } else {
-    frame.capacity = capacity_;
-    frame.drift.clear();
-  }
-  interval.geometry = std::make_shared<LazyVoxels<D>>(geometry_, std::move(frame));
+  frame.capacity = capacity_;
+  if (builder_.geometry().carries()) pass_capacity(frame, interval);
+  else frame.drift.clear();
+  interval.stage = builder_.stage(std::move(frame));
   return interval;
+}
+
+// Volume that passes between voxels changes their capacities: halfway in the frame, wholly in capacity_.
+template <int D>
+void Timeline<D>::pass_capacity(Frame<D>& frame, const Interval<D>& interval) {
+  const auto graph = builder_.geometry().carrying_graph(frame.position, capacity_, frame.drift, false);
+  for (std::size_t i = 0; i < capacity_.size(); ++i) {
+    double out = 0.0;
+    for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) out += graph.flow[p];
+    const double change = out * (interval.end - interval.begin) / scene_.depth;
+    frame.capacity[i] -= 0.5 * change;
+    capacity_[i] -= change;
+    if (capacity_[i] > 0.0) continue;
+    throw base::RunError(fmt::format("the capacity of voxel {} fell to nothing at {:g} s: the flow leaves it faster than its "
+                                     "neighbours can follow; use a smaller domain.spacing",
+                                     i, interval.end));
+  }
 }
 
 // From now on particles stand and the steady flow passes through them.
@@ -99,13 +98,13 @@ template <int D>
 void Timeline<D>::freeze(double t) {
   steady_since_ = t;
   flow_->picture(picture_);
-  if (!has_chemistry_) return;
+  if (!builder_.has_chemistry()) return;
   Frame<D> frame{picture_.position, picture_.position, {}, capacity_, true};
-  if (geometry_.carries()) {
+  if (builder_.geometry().carries()) {
     frame.drift = picture_.velocity;
     for (auto& v : frame.drift) v = -v;
   }
-  standing_ = std::make_shared<LazyVoxels<D>>(geometry_, std::move(frame));
+  standing_ = builder_.stage(std::move(frame));
 }
 
 template class Timeline<1>;

@@ -3,7 +3,6 @@
 // further intervals share one geometry; where the flow is the same for all realisations, its intervals are kept and shared.
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "coupling/experiment.hpp"
@@ -11,32 +10,15 @@
 #include "coupling/geometry.hpp"
 #include "coupling/live_flow.hpp"
 #include "coupling/splitting.hpp"
+#include "coupling/stage.hpp"
 
 namespace shmoo::coupling {
-
-// The voxels of one frame, built when first asked for; safe to share between threads.
-template <int D>
-class LazyVoxels {
- public:
-  LazyVoxels(const Geometry<D>& geometry, Frame<D> frame) : geometry_(geometry), frame_(std::move(frame)) {}
-  const Frame<D>& frame() const { return frame_; }
-  std::shared_ptr<const rdme::Voxels> get() const {
-    std::call_once(once_, [this] { voxels_ = geometry_.voxels(frame_); });
-    return voxels_;
-  }
-
- private:
-  const Geometry<D>& geometry_;
-  Frame<D> frame_;
-  mutable std::once_flag once_;
-  mutable std::shared_ptr<const rdme::Voxels> voxels_;
-};
 
 template <int D>
 struct Interval {
   double begin = 0, end = 0;                            // [s]
   std::uint64_t number = 0;
-  std::shared_ptr<const LazyVoxels<D>> geometry;        // null where the scene has no chemistry
+  std::shared_ptr<const Stage<D>> stage;        // null where the scene has no chemistry
   long record = -1;                                     // index of the record at its end; -1: none
   const FlowPicture<D>* picture = nullptr;              // the flow at its end where there is a record; valid during the visit
 };
@@ -44,12 +26,12 @@ struct Interval {
 template <int D>
 class Timeline {
  public:
-  // `flow` may be null: nothing moves.
-  Timeline(const scene::Scene& scene, const Geometry<D>& geometry, const std::vector<double>& times, const Step& chemistry_step,
-           std::unique_ptr<LiveFlow<D>> flow, std::vector<base::Vec<D>> start, double cell, bool has_chemistry);
+  // `flow` may be null: nothing moves. `start` are the voxels' places, `cell` what each fills [m^D].
+  Timeline(const scene::Scene& scene, const StageBuilder<D>& builder, const std::vector<double>& times,
+           const Step& chemistry_step, std::unique_ptr<LiveFlow<D>> flow, std::vector<base::Vec<D>> start, double cell);
 
-  // The geometry and flow at time 0.
-  std::shared_ptr<const LazyVoxels<D>> start() const { return start_; }
+  // Geometry and flow at time 0.
+  std::shared_ptr<const Stage<D>> start() const { return start_; }
   const FlowPicture<D>* start_picture() const { return flow_ ? &picture_ : nullptr; }
 
   // Calls visit(interval) for all intervals; stops early, returning false, where visit returns false.
@@ -61,16 +43,16 @@ class Timeline {
  private:
   Interval<D> next(double t, double target);
   Interval<D> next_moving(double t, double target);
+  void pass_capacity(Frame<D>& frame, const Interval<D>& interval);
   void freeze(double t);
 
   const scene::Scene& scene_;
-  const Geometry<D>& geometry_;
+  const StageBuilder<D>& builder_;
   const std::vector<double>& times_;
   double chemistry_step_;
   std::unique_ptr<LiveFlow<D>> flow_;
-  bool has_chemistry_;
   std::vector<double> capacity_;                          // [m^D] now
-  std::shared_ptr<const LazyVoxels<D>> start_, standing_;  // standing_: geometry of all further intervals, where nothing moves
+  std::shared_ptr<const Stage<D>> start_, standing_;  // standing_: stage of all further intervals, where nothing moves
   FlowPicture<D> picture_;
   double steady_since_ = -1.0;
 };

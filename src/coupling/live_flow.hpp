@@ -24,7 +24,7 @@ class LiveFlow {
 
   virtual void picture(FlowPicture<D>& picture) const = 0;
 
-  // Whether the velocity field changes by less than numerics.steady_tolerance; false where none is given.
+  // Whether the velocity field has stopped to change, to numerics.steady_tolerance; false where none is given.
   virtual bool steady() const = 0;
 
   virtual std::vector<Experiment::Derived> derived() const = 0;

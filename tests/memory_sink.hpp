@@ -20,18 +20,21 @@ class MemorySink final : public coupling::RecordSink {
     data_[layout_.fields.at(field).name][time] = copy(values);
   }
   void observable(std::size_t time, std::size_t observable, coupling::Values values) override {
-    data_[layout_.observables.at(observable).name][time] = copy(values);
+    observed_[layout_.observables.at(observable).name][time] = copy(values);
   }
-  const std::vector<double>& at(const std::string& name, std::size_t time) const { return data_.at(name).at(time); }
-  bool has(const std::string& name) const { return data_.contains(name); }
-  const std::map<std::string, std::map<std::size_t, std::vector<double>>>& all() const { return data_; }
+  const std::vector<double>& at(const std::string& field, std::size_t time) const { return data_.at(field).at(time); }
+  const std::vector<double>& observed(const std::string& observable, std::size_t time) const {
+    return observed_.at(observable).at(time);
+  }
+  const std::map<std::string, std::map<std::size_t, std::vector<double>>>& fields() const { return data_; }
+  const std::map<std::string, std::map<std::size_t, std::vector<double>>>& observables() const { return observed_; }
 
  private:
   static std::vector<double> copy(const coupling::Values& values) {
     return std::visit([](const auto& span) { return std::vector<double>(span.begin(), span.end()); }, values);
   }
   const coupling::RecordLayout& layout_;
-  std::map<std::string, std::map<std::size_t, std::vector<double>>> data_;
+  std::map<std::string, std::map<std::size_t, std::vector<double>>> data_, observed_;
 };
 
 // A prepared experiment with what its realisations share.

@@ -1,0 +1,122 @@
+// A + B -> nothing between opposing walls (thesis Table 2.3) against a reference that resolves the front, and the exact law of
+// the difference: E[A - B] obeys pure diffusion whatever the reaction does.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "ensemble_moments.hpp"
+#include "memory_sink.hpp"
+
+namespace {
+
+using namespace shmoo;
+
+// C_A/C0 by [time][node of 64 cells]; times 0.2, 0.4, 0.6, 0.8, 1, steady.
+std::vector<std::vector<double>> reference(int n) {
+  std::ifstream file(std::string(SHMOO_SOURCE_DIR) + "/tests/data/rdme/annihilation_N" + std::to_string(n) + ".csv");
+  std::vector<std::vector<double>> columns(6);
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#' || line[0] == 'x') continue;
+    std::stringstream row(line);
+    std::string cell;
+    std::getline(row, cell, ',');
+    for (auto& column : columns) {
+      std::getline(row, cell, ',');
+      column.push_back(std::stod(cell));
+    }
+  }
+  return columns;
+}
+
+scene::Overrides tube_at(int cells, double c0, const std::string& method) {
+  const auto number = [](double x, const char* unit) {
+    char text[64];
+    std::snprintf(text, sizeof text, "\"%.17g %s\"", x, unit);
+    return std::string(text);
+  };
+  const double dx = 1.0 / cells;
+  return {{"domain.origin", "[" + number(-0.5 * dx, "m") + "]"},
+          {"domain.size", "[" + number(1.0 + dx, "m") + "]"},
+          {"domain.spacing", number(dx, "m")},
+          {"region.0.upper", "[" + number(0.5 * dx, "m") + "]"},
+          {"region.1.lower", "[" + number(1.0 - 0.5 * dx, "m") + "]"},
+          {"boundary.0.value", number(c0, "molecules/m^3")},
+          {"boundary.2.value", number(c0, "molecules/m^3")},
+          {"species.A.method", "\"" + method + "\""},
+          {"species.B.method", "\"" + method + "\""},
+          {"run.until", "\"10 s\""},
+          {"run.record_at", "[\"0.2 s\", \"0.4 s\", \"0.6 s\", \"0.8 s\", \"1 s\"]"},
+          {"run.record_every", "\"10 s\""},
+          {"numerics.tolerance", "1e-8"}};
+}
+
+struct Deviation {
+  double published = 0, front = 0, away = 0;  // Eq. 2.31; largest near the front and elsewhere, in C0
+};
+
+Deviation deviation(const std::vector<double>& n, const std::vector<double>& reference, double dx, double c0) {
+  Deviation d;
+  const std::size_t stride = 64 / (n.size() - 1);
+  double sum = 0.0;
+  for (std::size_t i = 1; i + 1 < n.size(); ++i) {
+    const double e = std::abs(n[i] / (dx * c0) - reference[i * stride]);
+    sum += e * e;
+    auto& largest = std::abs(double(i) * dx - 0.5) < 0.1 ? d.front : d.away;
+    largest = std::max(largest, e);
+  }
+  d.published = std::sqrt(sum) / double(n.size());
+  return d;
+}
+
+TEST(PublishedTables, Annihilation) {
+  const double published_sph[] = {1.856e-4, 1.698e-4, 2.325e-4}, published_ssa[] = {7.285e-4, 5.334e-4, 6.644e-4};
+  for (int level = 0; level < 3; ++level) {
+    const int cells = 16 << level;
+    const double dx = 1.0 / cells, c0 = 1000.0 * cells;
+    const auto exact = reference(cells + 1);
+    double cpu = test::cpu_seconds();
+    const auto sph = test::laboratory("validation/annihilation-1d/model.toml", tube_at(cells, c0, "deterministic"));
+    const double cpu_sph = test::cpu_seconds() - cpu;
+    cpu = test::cpu_seconds();
+    const auto ssa = test::laboratory("validation/annihilation-1d/model.toml", tube_at(cells, c0, "stochastic"));
+    std::vector<test::Moments> a(7), difference(7);
+    const int realisations = 100;
+    for (int k = 0; k < realisations; ++k) {
+      const auto sink = ssa.realise(std::uint32_t(k));
+      for (std::size_t t = 1; t < 7; ++t) {
+        auto d = sink.at("A", t);
+        a[t].add(sink.at("A", t));
+        for (std::size_t i = 0; i < d.size(); ++i) d[i] -= sink.at("B", t)[i];
+        difference[t].add(d);
+      }
+    }
+    const double cpu_ssa = test::cpu_seconds() - cpu;
+    std::size_t points = 0, close = 0;
+    double most = 0.0;
+    for (std::size_t t = 1; t < 7; ++t) {
+      const auto& profile_a = sph.shared.at("A", t);
+      std::vector<double> mean(profile_a.size());
+      for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = a[t].mean(i);
+      for (std::size_t i = 1; i + 1 < mean.size(); ++i) {
+        const double law = profile_a[i] - sph.shared.at("B", t)[i], se = difference[t].standard_error(i);
+        ++points;
+        if (std::abs(difference[t].mean(i) - law) <= 3.0 * se) ++close;
+        most = std::max(most, std::abs(a[t].mean(i) - profile_a[i]) / (c0 * dx));
+      }
+      if (t + 1 < 7) continue;
+      const auto d_sph = deviation(profile_a, exact[5], dx, c0), d_ssa = deviation(mean, exact[5], dx, c0);
+      std::printf("1/%-3d steady: SPH Eq. 2.31 %.3e (paper %.3e), at the front %.2e, away %.2e; SSA %.3e (paper %.3e), at the "
+                  "front %.2e, away %.2e\n",
+                  cells, d_sph.published, published_sph[level], d_sph.front, d_sph.away, d_ssa.published, published_ssa[level],
+                  d_ssa.front, d_ssa.away);
+    }
+    std::printf("1/%-3d E[A-B] within 3 s.e. of pure diffusion: %zu of %zu; largest |SSA - SPH| %.2e C0; CPU s: SPH %.2f, SSA %.1f\n",
+                cells, close, points, most, cpu_sph, cpu_ssa);
+    EXPECT_GE(double(close), 0.98 * double(points));  // 99.73 % expected; fewer than 98 % has a probability below 1e-3
+  }
+}
+
+}  // namespace

@@ -26,6 +26,7 @@ class MemorySink final : public coupling::RecordSink {
   const std::vector<double>& observed(const std::string& observable, std::size_t time) const {
     return observed_.at(observable).at(time);
   }
+  bool has_field(const std::string& field) const { return data_.contains(field); }
   const std::map<std::string, std::map<std::size_t, std::vector<double>>>& fields() const { return data_; }
   const std::map<std::string, std::map<std::size_t, std::vector<double>>>& observables() const { return observed_; }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Runs a scene in memory: records land in vectors, and means over realisations are taken here, apart from the program's own
-// statistics.
+// Runs a scene in memory: records land in vectors, and means over realisations are taken here, apart from the program's
+// own statistics.
 #include <cstdint>
 #include <map>
 #include <string>
@@ -26,7 +26,6 @@ class MemorySink final : public coupling::RecordSink {
   const std::vector<double>& observed(const std::string& observable, std::size_t time) const {
     return observed_.at(observable).at(time);
   }
-  bool has_field(const std::string& field) const { return data_.contains(field); }
   const std::map<std::string, std::map<std::size_t, std::vector<double>>>& fields() const { return data_; }
   const std::map<std::string, std::map<std::size_t, std::vector<double>>>& observables() const { return observed_; }
 
@@ -40,7 +39,8 @@ class MemorySink final : public coupling::RecordSink {
 
 // A prepared experiment with what its realisations share.
 struct Laboratory {
-  explicit Laboratory(scene::Scene scene) : experiment(coupling::make_experiment(std::move(scene))), shared(experiment->layout()) {
+  explicit Laboratory(scene::Scene scene)
+      : experiment(coupling::make_experiment(std::move(scene))), shared(experiment->layout()) {
     if (!experiment->prepare(shared, {})) throw base::RunError("stopped");
   }
   MemorySink realise(std::uint32_t k, coupling::Outcome* outcome = nullptr) const {

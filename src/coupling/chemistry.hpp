@@ -1,6 +1,6 @@
 #pragma once
-// The chemistry of one realisation: its amounts, the sampler of its stochastic part and the solver of its deterministic part,
-// joined by operator splitting.
+// The chemistry of one realisation: its amounts, the sampler of its stochastic part and the solver of its deterministic
+// part, joined by operator splitting.
 #include <memory>
 
 #include "base/random.hpp"
@@ -29,7 +29,6 @@ class Chemistry {
   void close(Outcome& outcome) const;
 
   const rdme::State& state() const { return state_; }
-  const rdme::Voxels& voxels() const { return ground_->voxels; }
 
  private:
   void bind(std::shared_ptr<const Ground> ground);
@@ -39,8 +38,8 @@ class Chemistry {
   base::RandomKey key_;
   rdme::State state_;
   std::shared_ptr<const Ground> ground_;
-  std::unique_ptr<rdme::Sampler> sampler_;               // null where no species is stochastic
-  std::unique_ptr<rdme::DeterministicSolver> solver_;    // null where no species is deterministic
+  std::unique_ptr<rdme::Sampler> sampler_;             // null where no species is stochastic
+  std::unique_ptr<rdme::DeterministicSolver> solver_;  // null where no species is deterministic
 };
 
 }  // namespace shmoo::coupling

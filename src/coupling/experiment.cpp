@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "coupling/chemistry.hpp"
 #include "coupling/recorder.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/timeline.hpp"
@@ -15,18 +16,21 @@ namespace {
 
 template <int D>
 std::vector<base::Vec<D>> voxel_positions(const sph::Filling<D>& filling) {
-  return {filling.particles.position.values().begin(), filling.particles.position.values().begin() + long(filling.voxels)};
+  return {filling.particles.position.values().begin(),
+          filling.particles.position.values().begin() + long(filling.voxels)};
 }
 
 template <int D>
 std::vector<std::uint16_t> voxel_materials(const sph::Filling<D>& filling) {
-  return {filling.particles.material.values().begin(), filling.particles.material.values().begin() + long(filling.voxels)};
+  return {filling.particles.material.values().begin(),
+          filling.particles.material.values().begin() + long(filling.voxels)};
 }
 
 template <int D>
 std::array<std::size_t, 3> lattice_cells(const sph::Filling<D>& filling) {
   std::array<std::size_t, 3> cells{1, 1, 1};
-  for (int a = 0; a < D; ++a) cells[std::size_t(a)] = std::size_t(std::lround(filling.box.size()[a] / filling.spacing[a]));
+  for (int a = 0; a < D; ++a)
+    cells[std::size_t(a)] = std::size_t(std::lround(filling.box.size()[a] / filling.spacing[a]));
   return cells;
 }
 
@@ -54,16 +58,18 @@ class ExperimentOf final : public Experiment {
       auto timeline = make_timeline({scene_->run.seed, 0});
       start_ = timeline->start();
       if (timeline->start_picture()) recorder_.flow(0, *timeline->start_picture(), sink);
+      if (start_) recorder_.volume(0, start_->frame(), sink);
       const bool finished = timeline->run([&](const Interval<D>& interval) {
         if (progress.stop && progress.stop()) return false;
-        if (interval.record >= 0 && interval.picture) recorder_.flow(std::size_t(interval.record), *interval.picture, sink);
+        if (interval.record >= 0) record_flow(interval, sink);
         if (progress.report) progress.report(interval.end / scene_->run.until);
         if (has_chemistry_) intervals_.push_back(interval);
         return true;
       });
       if (!finished) return false;
       if (timeline->steady_since() >= 0.0) {
-        derived_.push_back({"flow_steady_since", timeline->steady_since(), "s", "from then on the flow is carried, not computed"});
+        derived_.push_back(
+            {"flow_steady_since", timeline->steady_since(), "s", "from then on the flow is carried, not computed"});
       }
     }
     return random() ? true : tell(0, sink, progress, alike_);
@@ -81,16 +87,18 @@ class ExperimentOf final : public Experiment {
       : scene_(std::move(scene)),
         network_(*scene_),
         filling_(sph::fill<D>(*scene_)),
-        geometry_(*scene_, filling_.box, voxel_materials(filling_), scene_->numerics.reach * filling_.spacing.maxCoeff()),
+        geometry_(*scene_, filling_.box, voxel_materials(filling_),
+                  scene_->numerics.reach * filling_.spacing.maxCoeff()),
         stages_(geometry_, *scene_, network_),
         has_chemistry_(network_.species() > 0),
         flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),
         step_(splitting_step(*scene_, network_)),
-        recorder_(*scene_, network_, geometry_.material(), lattice_cells(filling_), record_times(scene_->run), !random(),
-                  !flow_random_) {
+        recorder_(*scene_, network_, geometry_.material(), lattice_cells(filling_), record_times(scene_->run),
+                  !random(), !flow_random_) {
     if (has_chemistry_) derived_.push_back({"splitting_step", step_.value, "s", step_.why});
     if (scene_->effects.flow) {
-      for (auto& number : make_live_flow<D>(*scene_, {scene_->run.seed, 0})->derived()) derived_.push_back(std::move(number));
+      for (auto& number : make_live_flow<D>(*scene_, {scene_->run.seed, 0})->derived())
+        derived_.push_back(std::move(number));
     }
   }
 
@@ -106,6 +114,11 @@ class ExperimentOf final : public Experiment {
                                          voxel_positions(filling_), filling_.cell);
   }
 
+  void record_flow(const Interval<D>& interval, RecordSink& sink) const {
+    if (interval.picture) recorder_.flow(std::size_t(interval.record), *interval.picture, sink);
+    if (interval.stage) recorder_.volume(std::size_t(interval.record), interval.stage->frame(), sink);
+  }
+
   // One realisation, from its first molecule to its last record.
   bool tell(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) const {
     const base::RandomKey key{scene_->run.seed, k};
@@ -114,7 +127,8 @@ class ExperimentOf final : public Experiment {
     if (has_chemistry_) {
       const auto start = own_flow ? own_flow->start() : start_;
       chemistry.begin(start->ground());
-      recorder_.chemistry(0, chemistry, start->frame().arrival, sink);
+      recorder_.chemistry(0, chemistry.state(), start->frame(), sink);
+      if (own_flow) recorder_.volume(0, start->frame(), sink);
     }
     if (own_flow) recorder_.flow(0, *own_flow->start_picture(), sink);
     const auto live = [&](const Interval<D>& interval) {
@@ -124,8 +138,8 @@ class ExperimentOf final : public Experiment {
       }
       if (interval.record >= 0) {
         const auto time = std::size_t(interval.record);
-        if (has_chemistry_) recorder_.chemistry(time, chemistry, interval.stage->frame().arrival, sink);
-        if (own_flow) recorder_.flow(time, *interval.picture, sink);
+        if (has_chemistry_) recorder_.chemistry(time, chemistry.state(), interval.stage->frame(), sink);
+        if (own_flow) record_flow(interval, sink);
       }
       if (progress.report) progress.report(interval.end / scene_->run.until);
       return true;
@@ -153,9 +167,12 @@ class ExperimentOf final : public Experiment {
 
 std::unique_ptr<Experiment> make_experiment(scene::Scene scene) {
   switch (scene.dimension) {
-    case 1: return std::make_unique<ExperimentOf<1>>(std::move(scene));
-    case 2: return std::make_unique<ExperimentOf<2>>(std::move(scene));
-    default: return std::make_unique<ExperimentOf<3>>(std::move(scene));
+    case 1:
+      return std::make_unique<ExperimentOf<1>>(std::move(scene));
+    case 2:
+      return std::make_unique<ExperimentOf<2>>(std::move(scene));
+    default:
+      return std::make_unique<ExperimentOf<3>>(std::move(scene));
   }
 }
 

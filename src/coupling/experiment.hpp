@@ -16,13 +16,13 @@ namespace shmoo::coupling {
 // What one finished realisation reports besides its records.
 struct Outcome {
   rdme::Ledger ledger;
-  bool balanced = true;             // the ledger accounts for every molecule
+  bool balanced = true;  // the ledger accounts for every molecule
   std::uint64_t reaction_events = 0, jump_events = 0;
 };
 
 struct Progress {
-  std::function<bool()> stop;                // true: give up as soon as possible (the realisation is then discarded)
-  std::function<void(double done)> report;   // fraction of this realisation in [0, 1]; may be called from any thread
+  std::function<bool()> stop;               // true: give up as soon as possible (the realisation is then discarded)
+  std::function<void(double done)> report;  // fraction of this realisation in [0, 1]; may be called from any thread
 };
 
 class Experiment {
@@ -32,19 +32,25 @@ class Experiment {
   virtual const scene::Scene& scene() const = 0;
   virtual const RecordLayout& layout() const = 0;
   virtual std::size_t particles() const = 0;
-  virtual std::vector<std::int32_t> material_of_particle() const = 0;   // by id
+  virtual std::vector<std::int32_t> material_of_particle() const = 0;     // by id
   virtual std::vector<std::array<double, 3>> start_position() const = 0;  // by id, [m]
 
-  // Named derived numbers with unit and origin: time steps, sound speed, splitting step, jump rates. For reports and /derived.
-  struct Derived { std::string name; double value; std::string unit; std::string why; };
+  // Named derived numbers with unit and origin: time steps, sound speed, splitting step, jump rates. For reports and
+  // /derived.
+  struct Derived {
+    std::string name;
+    double value;
+    std::string unit;
+    std::string why;
+  };
   virtual std::vector<Derived> derived() const = 0;
 
-  // Runs what all realisations share (a flow that nothing random acts on) and sends shared fields and observables to `sink`.
-  // Called once, before any realise(). Returns false if stopped.
+  // Runs what all realisations share (a flow that nothing random acts on) and sends shared fields and observables to
+  // `sink`. Called once, before any realise(). Returns false if stopped.
   virtual bool prepare(RecordSink& sink, const Progress& progress) = 0;
 
-  // Runs realisation k to the end; thread-safe after prepare(). Its result depends on the scene and k only, never on how many
-  // others run or where. Returns false if stopped.
+  // Runs realisation k to the end; thread-safe after prepare(). Its result depends on the scene and k only, never on
+  // how many others run or where. Returns false if stopped.
   virtual bool realise(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) = 0;
 };
 

@@ -8,11 +8,12 @@ namespace shmoo::coupling {
 
 template <int D>
 struct Frame {
-  std::vector<base::Vec<D>> position;  // [m], in the middle of the interval
-  std::vector<base::Vec<D>> arrival;   // [m], at its end
-  std::vector<base::Vec<D>> drift;     // [m/s], mean transport minus fluid velocity; empty where nothing is carried
-  std::vector<double> capacity;        // [m^D] what each voxel holds, in the middle of the interval
-  bool steady = false;                 // nothing changes any more: the frame serves every later interval, too
+  std::vector<base::Vec<D>> position;    // [m], in the middle of the interval
+  std::vector<base::Vec<D>> arrival;     // [m], at its end
+  std::vector<base::Vec<D>> drift;       // [m/s], mean transport minus fluid velocity; empty where nothing is carried
+  std::vector<double> capacity;          // [m^D] what each voxel holds, in the middle of the interval
+  std::vector<double> arrival_capacity;  // [m^D], at its end
+  bool steady = false;                   // nothing changes any more: the frame serves every later interval, too
 };
 
 template <int D>

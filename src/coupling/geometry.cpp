@@ -9,10 +9,13 @@ constexpr std::uint32_t surface = 6;  // boundaries 0..5 are sides, 6 + material
 
 rdme::SideUse use_of(scene::BoundaryType type) {
   switch (type) {
-    case scene::BoundaryType::reflect: return rdme::SideUse::reflect;
-    case scene::BoundaryType::flux: return rdme::SideUse::flux;
+    case scene::BoundaryType::reflect:
+      return rdme::SideUse::reflect;
+    case scene::BoundaryType::flux:
+      return rdme::SideUse::flux;
     case scene::BoundaryType::fixed:
-    case scene::BoundaryType::absorb: break;
+    case scene::BoundaryType::absorb:
+      break;
   }
   return rdme::SideUse::open;
 }
@@ -36,8 +39,12 @@ void attach_flow(const rdme::JumpGraph& carrying, rdme::JumpGraph& graph) {
 }  // namespace
 
 template <int D>
-Geometry<D>::Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material, double reach)
-    : scene_(scene), box_(box), material_(std::move(material)), kernel_(sph::make_kernel<D>(scene.numerics.kernel, reach)) {
+Geometry<D>::Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material,
+                      double reach)
+    : scene_(scene),
+      box_(box),
+      material_(std::move(material)),
+      kernel_(sph::make_kernel<D>(scene.numerics.kernel, reach)) {
   if (scene.effects.flow && scene.effects.species_advection) {
     carried_.assign(scene.materials.size(), false);
     for (const auto& species : scene.species) {
@@ -91,8 +98,9 @@ void Geometry<D>::find_habitats() {
 }
 
 template <int D>
-rdme::JumpGraph Geometry<D>::carrying_graph(const std::vector<base::Vec<D>>& position, const std::vector<double>& capacity,
-                                            const std::vector<base::Vec<D>>& drift, bool steady) const {
+rdme::JumpGraph Geometry<D>::carrying_graph(const std::vector<base::Vec<D>>& position,
+                                            const std::vector<double>& capacity, const std::vector<base::Vec<D>>& drift,
+                                            bool steady) const {
   const std::vector<bool> none(scene_.materials.size(), false);
   const rdme::Habitat habitat{carried_, none, none, carried_, {}};
   const rdme::Places<D> places{position, capacity, drift, material_};
@@ -135,7 +143,8 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
 }
 
 template <int D>
-void Geometry<D>::add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const {
+void Geometry<D>::add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph,
+                                         rdme::Voxels& voxels) const {
   const double kappa = scene_.species[species].diffusivity;
   for (const auto& contact : graph.contacts) {
     for (const auto& boundary : scene_.boundaries) {

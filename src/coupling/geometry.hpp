@@ -1,6 +1,6 @@
 #pragma once
-// From a frame to the voxels of chemistry: one jump graph per distinct habitat, what the fluid carries, and the exchange with
-// everything outside (sides, clamped materials, fluxes, sponges).
+// From a frame to the voxels of chemistry: one jump graph per distinct habitat, what the fluid carries, and the
+// exchange with everything outside (sides, clamped materials, fluxes, sponges).
 #include <vector>
 
 #include "base/box.hpp"
@@ -41,9 +41,9 @@ class Geometry {
   base::Box<D> box_;
   std::vector<std::uint16_t> material_;
   sph::AnyKernel<D> kernel_;
-  std::vector<bool> carried_;                 // [materials]; empty where nothing is carried
+  std::vector<bool> carried_;  // [materials]; empty where nothing is carried
   std::vector<rdme::Habitat> habitats_;
-  std::vector<int> habitat_of_species_;       // -1: neither diffuses nor is carried
+  std::vector<int> habitat_of_species_;  // -1: neither diffuses nor is carried
 };
 
 extern template class Geometry<1>;

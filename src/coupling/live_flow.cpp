@@ -10,7 +10,7 @@
 namespace shmoo::coupling {
 namespace {
 
-constexpr double most_movement = 0.25;     // [spacings] of a particle in one interval
+constexpr double most_movement = 0.25;       // [spacings] of a particle in one interval
 constexpr double part_of_time_scale = 0.25;  // between two looks at whether the flow is steady
 
 template <int D>
@@ -18,7 +18,8 @@ class FluidInMotion final : public LiveFlow<D> {
  public:
   using Vec = base::Vec<D>;
 
-  FluidInMotion(const scene::Scene& scene, const base::RandomKey& key) : FluidInMotion(scene, sph::fill<D>(scene), key) {}
+  FluidInMotion(const scene::Scene& scene, const base::RandomKey& key)
+      : FluidInMotion(scene, sph::fill<D>(scene), key) {}
 
   double interval() const override {
     const double speed = std::max(fluid_.max_speed(), 1e-3 * fluid_.scales().speed);
@@ -85,8 +86,8 @@ class FluidInMotion final : public LiveFlow<D> {
     return values;
   }
 
-  // Steady: over a quarter of the shortest time scale of the flow (crossing or viscous), the velocity field changed by less
-  // than the tolerance in the root mean square.
+  // Steady: over a quarter of the shortest time scale of the flow (crossing or viscous), the velocity field changed by
+  // less than the tolerance in the root mean square.
   void look() {
     if (!tolerance_ || fluid_.time() - looked_at_ < window_) return;
     const std::vector<Vec> now = by_id([&](std::size_t i) { return fluid_.velocity(i); });

@@ -57,7 +57,8 @@ double largest_concentration(const scene::Scene& scene, int species) {
   for (const auto& initial : scene.initials)
     if (initial.species == species) largest = std::max(largest, initial.concentration.value);
   for (const auto& boundary : scene.boundaries)
-    if (boundary.species == species && boundary.type == scene::BoundaryType::fixed) largest = std::max(largest, boundary.value);
+    if (boundary.species == species && boundary.type == scene::BoundaryType::fixed)
+      largest = std::max(largest, boundary.value);
   for (const auto& inflow : scene.inflows)
     for (const auto& [which, target] : inflow.species)
       if (which == species) largest = std::max(largest, target);
@@ -94,30 +95,40 @@ FieldInfo describe(const scene::Observable& observable, const scene::Scene& scen
       info.scale = std::max(largest_concentration(scene, observable.species), 1.0);
       return observable.type == ObservableType::profile ? profile(info, observable, scene, cells) : info;
     case ObservableType::kinetic_energy:
-    case ObservableType::temperature: info.unit = "J"; return info;
-    case ObservableType::max_speed: info.unit = "m/s"; return info;
+    case ObservableType::temperature:
+      info.unit = "J";
+      return info;
+    case ObservableType::max_speed:
+      info.unit = "m/s";
+      return info;
     case ObservableType::density_error:
-    case ObservableType::min_distance: info.unit = "1"; return info;
-    case ObservableType::velocity_profile: info.unit = "m/s"; return profile(info, observable, scene, cells);
+    case ObservableType::min_distance:
+      info.unit = "1";
+      return info;
+    case ObservableType::velocity_profile:
+      info.unit = "m/s";
+      return profile(info, observable, scene, cells);
   }
   return info;
 }
 
 template <int D>
 void measure_chemistry(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                       const rdme::State& state, const rdme::Voxels& voxels, const std::vector<base::Vec<D>>& arrival,
+                       const rdme::State& state, const Frame<D>& frame, const std::vector<std::uint16_t>& material,
                        std::vector<std::int64_t>& counts, std::vector<double>& reals) {
   const bool stochastic = scene.species[std::size_t(observable.species)].method == scene::SpeciesMethod::stochastic;
   const std::size_t bins = info.shape.empty() ? 1 : info.shape[0];
   std::vector<std::int64_t> whole(bins, 0);
   std::vector<double> amount(bins, 0.0), volume(bins, 0.0);
-  for (std::size_t i = 0; i < voxels.size(); ++i) {
-    if (!selects<D>(observable, scene, voxels.material[i], arrival[i])) continue;
-    const std::size_t b = bins == 1 ? 0 : bin_of(arrival[i][observable.axis], scene, observable.axis, bins);
+  for (std::size_t i = 0; i < material.size(); ++i) {
+    if (!selects<D>(observable, scene, material[i], frame.arrival[i])) continue;
+    const std::size_t b = bins == 1 ? 0 : bin_of(frame.arrival[i][observable.axis], scene, observable.axis, bins);
     const std::size_t entry = i * state.species + std::size_t(observable.species);
-    if (stochastic) whole[b] += state.count[entry];
-    else amount[b] += state.amount[entry];
-    volume[b] += voxels.volume[i];
+    if (stochastic)
+      whole[b] += state.count[entry];
+    else
+      amount[b] += state.amount[entry];
+    volume[b] += frame.arrival_capacity[i] * scene.depth;
   }
   counts.clear();
   reals.clear();
@@ -135,15 +146,27 @@ void measure_chemistry(const scene::Observable& observable, const scene::Scene& 
 
 template <int D>
 void measure_flow(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material, std::vector<double>& reals) {
+                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material,
+                  std::vector<double>& reals) {
   reals.clear();
   switch (observable.type) {
-    case ObservableType::kinetic_energy: reals.push_back(picture.kinetic_energy); return;
-    case ObservableType::temperature: reals.push_back(picture.temperature); return;
-    case ObservableType::max_speed: reals.push_back(picture.max_speed); return;
-    case ObservableType::density_error: reals.push_back(picture.density_error); return;
-    case ObservableType::min_distance: reals.push_back(picture.min_distance); return;
-    default: break;
+    case ObservableType::kinetic_energy:
+      reals.push_back(picture.kinetic_energy);
+      return;
+    case ObservableType::temperature:
+      reals.push_back(picture.temperature);
+      return;
+    case ObservableType::max_speed:
+      reals.push_back(picture.max_speed);
+      return;
+    case ObservableType::density_error:
+      reals.push_back(picture.density_error);
+      return;
+    case ObservableType::min_distance:
+      reals.push_back(picture.min_distance);
+      return;
+    default:
+      break;
   }
   const std::size_t bins = info.shape[0];
   std::vector<double> weight(bins, 0.0);
@@ -160,11 +183,11 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
   fill_gaps(reals, weight);
 }
 
-#define SHMOO_INSTANTIATE(D)                                                                                        \
-  template void measure_chemistry<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,               \
-                                     const rdme::State&, const rdme::Voxels&, const std::vector<base::Vec<D>>&,     \
-                                     std::vector<std::int64_t>&, std::vector<double>&);                             \
-  template void measure_flow<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,                    \
+#define SHMOO_INSTANTIATE(D)                                                                                 \
+  template void measure_chemistry<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,        \
+                                     const rdme::State&, const Frame<D>&, const std::vector<std::uint16_t>&, \
+                                     std::vector<std::int64_t>&, std::vector<double>&);                      \
+  template void measure_flow<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,             \
                                 const FlowPicture<D>&, const std::vector<std::uint16_t>&, std::vector<double>&);
 SHMOO_INSTANTIATE(1)
 SHMOO_INSTANTIATE(2)

@@ -5,25 +5,26 @@
 #include "coupling/frame.hpp"
 #include "coupling/record.hpp"
 #include "rdme/state.hpp"
-#include "rdme/voxels.hpp"
 #include "scene/scene.hpp"
 
 namespace shmoo::coupling {
 
 bool of_chemistry(scene::ObservableType type);
 
-// What one observable looks like in the result; `cells` is the number of particles along its axis (the default of bins).
+// What one observable looks like in the result; `cells` is the number of particles along its axis (the default of
+// bins).
 FieldInfo describe(const scene::Observable& observable, const scene::Scene& scene, std::size_t cells);
 
-// Molecules or concentrations. `arrival` are the positions at the moment of measurement. Fills whole numbers into `counts`
-// where the observable counts molecules of a stochastic species, reals into `reals` otherwise.
+// Molecules or concentrations at the end of the frame's interval. Fills whole numbers into `counts` where the
+// observable counts molecules of a stochastic species, reals into `reals` otherwise.
 template <int D>
 void measure_chemistry(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                       const rdme::State& state, const rdme::Voxels& voxels, const std::vector<base::Vec<D>>& arrival,
+                       const rdme::State& state, const Frame<D>& frame, const std::vector<std::uint16_t>& material,
                        std::vector<std::int64_t>& counts, std::vector<double>& reals);
 
 template <int D>
 void measure_flow(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material, std::vector<double>& reals);
+                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material,
+                  std::vector<double>& reals);
 
 }  // namespace shmoo::coupling

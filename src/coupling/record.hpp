@@ -9,12 +9,12 @@
 namespace shmoo::coupling {
 
 struct FieldInfo {
-  std::string name;         // "L", "velocity", "RL_at_wall"
-  std::string unit;         // "molecules", "m/s"
-  bool whole = false;       // whole numbers (exact integer statistics) or real
-  bool shared = false;      // the same in every realisation (kept once); otherwise it has statistics
+  std::string name;                // "L", "velocity", "RL_at_wall"
+  std::string unit;                // "molecules", "m/s"
+  bool whole = false;              // whole numbers (exact integer statistics) or real
+  bool shared = false;             // the same in every realisation (kept once); otherwise it has statistics
   std::vector<std::size_t> shape;  // [particles], [particles, D], [bins], or {} for a scalar
-  double scale = 1.0;       // typical magnitude; sets the quantum of exact sums and the bins of quantiles
+  double scale = 1.0;              // typical magnitude; sets the quantum of exact sums and the bins of quantiles
   std::vector<double> axis;        // bin centres of a profile [m]; otherwise empty
 };
 
@@ -27,7 +27,8 @@ struct RecordLayout {
 
 using Values = std::variant<std::span<const std::int64_t>, std::span<const double>>;
 
-// Receives the values of one realisation in the order of time. Shared fields are sent to realisation-independent storage once.
+// Receives the values of one realisation in the order of time. Shared fields are sent to realisation-independent
+// storage once.
 class RecordSink {
  public:
   virtual ~RecordSink() = default;

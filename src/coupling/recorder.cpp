@@ -14,10 +14,11 @@ namespace shmoo::coupling {
 
 template <int D>
 Recorder<D>::Recorder(const scene::Scene& scene, const rdme::Network& network, std::vector<std::uint16_t> material,
-                      std::array<std::size_t, 3> cells, std::vector<double> times, bool chemistry_shared, bool flow_shared)
+                      std::array<std::size_t, 3> cells, std::vector<double> times, bool chemistry_shared,
+                      bool flow_shared)
     : scene_(scene), material_(std::move(material)) {
   layout_.times = std::move(times);
-  add_chemistry_fields(network, chemistry_shared);
+  add_chemistry_fields(network, chemistry_shared, flow_shared);
   if (scene.effects.flow) add_flow_fields(flow_shared);
   refuse_unknown_names();
   for (const auto& observable : scene.observables) {
@@ -37,22 +38,25 @@ void Recorder<D>::add_field(FieldInfo info, FieldSource source) {
 }
 
 template <int D>
-void Recorder<D>::add_chemistry_fields(const rdme::Network& network, bool shared) {
+void Recorder<D>::add_chemistry_fields(const rdme::Network& network, bool shared, bool flow_shared) {
   const auto reference = reference_concentrations(scene_);
   const double voxel = std::pow(scene_.domain.spacing, D) * scene_.depth;
   for (std::size_t s = 0; s < network.species(); ++s) {
-    FieldInfo info{scene_.species[s].name, "molecules", network.stochastic(int(s)), shared, {material_.size()}, 1.0, {}};
+    FieldInfo info{
+        scene_.species[s].name, "molecules", network.stochastic(int(s)), shared, {material_.size()}, 1.0, {}};
     info.scale = std::max(1.0, reference[s] * voxel);
     add_field(std::move(info), {Source::species, int(s)});
   }
-  if (network.species() > 0) add_field({"volume", "m^3", false, !scene_.effects.thermal_noise, {material_.size()}, voxel, {}}, {Source::volume});
+  if (network.species() > 0)
+    add_field({"volume", "m^3", false, flow_shared, {material_.size()}, voxel, {}}, {Source::volume});
 }
 
 template <int D>
 void Recorder<D>::add_flow_fields(bool shared) {
   const std::size_t n = material_.size(), d = D;
   double length = 0.0, density = 0.0;
-  for (int a = 0; a < D; ++a) length = std::max(length, scene_.domain.upper[std::size_t(a)] - scene_.domain.lower[std::size_t(a)]);
+  for (int a = 0; a < D; ++a)
+    length = std::max(length, scene_.domain.upper[std::size_t(a)] - scene_.domain.lower[std::size_t(a)]);
   for (const auto& material : scene_.materials) density = std::max(density, material.density);
   const double speed = scene_.flow.reference_speed.value_or(1.0);
   add_field({"position", "m", false, shared, {n, d}, length, {}}, {Source::position});
@@ -72,31 +76,43 @@ void Recorder<D>::refuse_unknown_names() const {
 }
 
 template <int D>
-void Recorder<D>::chemistry(std::size_t time, const Chemistry& chemistry, const std::vector<base::Vec<D>>& arrival,
-                            RecordSink& sink) const {
-  const rdme::State& state = chemistry.state();
-  const rdme::Voxels& voxels = chemistry.voxels();
+void Recorder<D>::volume(std::size_t time, const Frame<D>& frame, RecordSink& sink) const {
+  for (std::size_t f = 0; f < sources_.size(); ++f) {
+    if (sources_[f].source != Source::volume) continue;
+    std::vector<double> volume(frame.arrival_capacity);
+    for (double& v : volume) v *= scene_.depth;
+    sink.field(time, f, Values(std::span<const double>(volume)));
+  }
+}
+
+template <int D>
+void Recorder<D>::chemistry(std::size_t time, const rdme::State& state, const Frame<D>& frame, RecordSink& sink) const {
   std::vector<std::int64_t> whole;
   std::vector<double> real;
   for (std::size_t f = 0; f < sources_.size(); ++f) {
-    if (sources_[f].source == Source::volume) sink.field(time, f, Values(std::span<const double>(voxels.volume)));
     if (sources_[f].source != Source::species) continue;
     whole.clear();
     real.clear();
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
+    for (std::size_t i = 0; i < material_.size(); ++i) {
       const std::size_t entry = i * state.species + std::size_t(sources_[f].species);
-      if (layout_.fields[f].whole) whole.push_back(state.count[entry]);
-      else real.push_back(state.amount[entry]);
+      if (layout_.fields[f].whole)
+        whole.push_back(state.count[entry]);
+      else
+        real.push_back(state.amount[entry]);
     }
-    if (layout_.fields[f].whole) sink.field(time, f, Values(std::span<const std::int64_t>(whole)));
-    else sink.field(time, f, Values(std::span<const double>(real)));
+    if (layout_.fields[f].whole)
+      sink.field(time, f, Values(std::span<const std::int64_t>(whole)));
+    else
+      sink.field(time, f, Values(std::span<const double>(real)));
   }
   for (std::size_t o = 0; o < scene_.observables.size(); ++o) {
     if (!of_chemistry(scene_.observables[o].type)) continue;
     const FieldInfo& info = layout_.observables[o];
-    measure_chemistry<D>(scene_.observables[o], scene_, info, state, voxels, arrival, whole, real);
-    if (info.whole) sink.observable(time, o, Values(std::span<const std::int64_t>(whole)));
-    else sink.observable(time, o, Values(std::span<const double>(real)));
+    measure_chemistry<D>(scene_.observables[o], scene_, info, state, frame, material_, whole, real);
+    if (info.whole)
+      sink.observable(time, o, Values(std::span<const std::int64_t>(whole)));
+    else
+      sink.observable(time, o, Values(std::span<const double>(real)));
   }
 }
 
@@ -107,12 +123,21 @@ void Recorder<D>::flow(std::size_t time, const FlowPicture<D>& picture, RecordSi
   };
   for (std::size_t f = 0; f < sources_.size(); ++f) {
     switch (sources_[f].source) {
-      case Source::position: sink.field(time, f, Values(flat(picture.position))); break;
-      case Source::velocity: sink.field(time, f, Values(flat(picture.velocity))); break;
-      case Source::density: sink.field(time, f, Values(std::span<const double>(picture.density))); break;
-      case Source::pressure: sink.field(time, f, Values(std::span<const double>(picture.pressure))); break;
+      case Source::position:
+        sink.field(time, f, Values(flat(picture.position)));
+        break;
+      case Source::velocity:
+        sink.field(time, f, Values(flat(picture.velocity)));
+        break;
+      case Source::density:
+        sink.field(time, f, Values(std::span<const double>(picture.density)));
+        break;
+      case Source::pressure:
+        sink.field(time, f, Values(std::span<const double>(picture.pressure)));
+        break;
       case Source::species:
-      case Source::volume: break;
+      case Source::volume:
+        break;
     }
   }
   std::vector<double> real;

@@ -3,9 +3,10 @@
 #include <array>
 #include <vector>
 
-#include "coupling/chemistry.hpp"
 #include "coupling/frame.hpp"
 #include "coupling/record.hpp"
+#include "rdme/network.hpp"
+#include "rdme/state.hpp"
 #include "scene/scene.hpp"
 
 namespace shmoo::coupling {
@@ -13,14 +14,16 @@ namespace shmoo::coupling {
 template <int D>
 class Recorder {
  public:
-  // `chemistry_shared`, `flow_shared`: the same in every realisation. Throws base::InputError for a name in run.record that
-  // this scene does not have.
+  // `chemistry_shared`, `flow_shared`: the same in every realisation. Throws base::InputError for a name in run.record
+  // that this scene does not have.
   Recorder(const scene::Scene& scene, const rdme::Network& network, std::vector<std::uint16_t> material,
            std::array<std::size_t, 3> cells, std::vector<double> times, bool chemistry_shared, bool flow_shared);
 
   const RecordLayout& layout() const { return layout_; }
 
-  void chemistry(std::size_t time, const Chemistry& chemistry, const std::vector<base::Vec<D>>& arrival, RecordSink& sink) const;
+  // Each at the end of the frame's interval.
+  void chemistry(std::size_t time, const rdme::State& state, const Frame<D>& frame, RecordSink& sink) const;
+  void volume(std::size_t time, const Frame<D>& frame, RecordSink& sink) const;
   void flow(std::size_t time, const FlowPicture<D>& picture, RecordSink& sink) const;
 
  private:
@@ -30,7 +33,7 @@ class Recorder {
     int species = -1;
   };
   void add_field(FieldInfo info, FieldSource source);
-  void add_chemistry_fields(const rdme::Network& network, bool shared);
+  void add_chemistry_fields(const rdme::Network& network, bool shared, bool flow_shared);
   void add_flow_fields(bool shared);
   void refuse_unknown_names() const;
 

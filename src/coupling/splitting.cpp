@@ -71,13 +71,15 @@ Step splitting_step(const scene::Scene& scene, const rdme::Network& network) {
   const bool split_sampler = scene.numerics.sampler == scene::Sampler::split && network.any_sampled();
   const bool time_dependent = network.sampled_rates_change_in_time();
   if (!split_sampler && !kinds_meet(network) && !time_dependent) {
-    return {std::numeric_limits<double>::infinity(), "nothing is split: every process of this scene is advanced as one"};
+    return {std::numeric_limits<double>::infinity(),
+            "nothing is split: every process of this scene is advanced as one"};
   }
   const auto [rate, name] = fastest_reaction(network, reference_concentrations(scene));
   const double fallback = 0.1 * scene.run.record_every;
   if (rate == 0.0) return {fallback, "a tenth of run.record_every, as no rate constant tells a time scale"};
   const double step = part_of_time_scale / rate;
-  if (time_dependent && fallback < step) return {fallback, "a tenth of run.record_every, as a sampled rate changes in time"};
+  if (time_dependent && fallback < step)
+    return {fallback, "a tenth of run.record_every, as a sampled rate changes in time"};
   return {step, fmt::format("{:g} of the time scale of the fastest reaction, {}", part_of_time_scale, name)};
 }
 

@@ -13,13 +13,13 @@ struct Step {
   std::string why;
 };
 
-// The largest concentration of each species that the scene names (initial, boundary, inflow), carried on to the products of
-// reactions [molecules/m^3]. Zero where nothing tells.
+// The largest concentration of each species that the scene names (initial, boundary, inflow), carried on to the
+// products of reactions [molecules/m^3]. Zero where nothing tells.
 std::vector<double> reference_concentrations(const scene::Scene& scene);
 
-// The step between deterministic and sampled chemistry (and between reactions and diffusion in the split sampler): a twentieth
-// of the time scale of the fastest reaction at the reference concentrations, as the error of Strang splitting is of second
-// order in that ratio (Strang 1968). A given numerics.splitting_step is taken as it is.
+// The step between deterministic and sampled chemistry (and between reactions and diffusion in the split sampler): a
+// twentieth of the time scale of the fastest reaction at the reference concentrations, as the error of Strang splitting
+// is of second order in that ratio (Strang 1968). A given numerics.splitting_step is taken as it is.
 Step splitting_step(const scene::Scene& scene, const rdme::Network& network);
 
 }  // namespace shmoo::coupling

@@ -1,6 +1,7 @@
 #pragma once
-// The stage that chemistry plays on during an interval: a frame, its voxels, and what the sampler derives from them. Built when
-// first asked for and shared by all realisations and threads; forgotten again, where keeping all would take too much memory.
+// The stage that chemistry plays on during an interval: a frame, its voxels, and what the sampler derives from them.
+// Built when first asked for and shared by all realisations and threads; forgotten again, where keeping all would take
+// too much memory.
 #include <functional>
 #include <memory>
 #include <mutex>

@@ -22,7 +22,7 @@ Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder,
       capacity_(start.size(), cell) {
   if (flow_) flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
-  start_ = builder_.stage({start, start, {}, capacity_, flow_ == nullptr});
+  start_ = builder_.stage({start, start, {}, capacity_, capacity_, flow_ == nullptr});
   if (!flow_) standing_ = start_;
 }
 
@@ -70,8 +70,11 @@ Interval<D> Timeline<D>::next_moving(double t, double target) {
   Frame<D> frame;
   flow_->advance(interval.end, &frame);
   frame.capacity = capacity_;
-  if (builder_.geometry().carries()) pass_capacity(frame, interval);
-  else frame.drift.clear();
+  if (builder_.geometry().carries())
+    pass_capacity(frame, interval);
+  else
+    frame.drift.clear();
+  frame.arrival_capacity = capacity_;
   interval.stage = builder_.stage(std::move(frame));
   return interval;
 }
@@ -87,9 +90,10 @@ void Timeline<D>::pass_capacity(Frame<D>& frame, const Interval<D>& interval) {
     frame.capacity[i] -= 0.5 * change;
     capacity_[i] -= change;
     if (capacity_[i] > 0.0) continue;
-    throw base::RunError(fmt::format("the capacity of voxel {} fell to nothing at {:g} s: the flow leaves it faster than its "
-                                     "neighbours can follow; use a smaller domain.spacing",
-                                     i, interval.end));
+    throw base::RunError(
+        fmt::format("the capacity of voxel {} fell to nothing at {:g} s: the flow leaves it faster than its "
+                    "neighbours can follow; use a smaller domain.spacing",
+                    i, interval.end));
   }
 }
 
@@ -99,7 +103,7 @@ void Timeline<D>::freeze(double t) {
   steady_since_ = t;
   flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
-  Frame<D> frame{picture_.position, picture_.position, {}, capacity_, true};
+  Frame<D> frame{picture_.position, picture_.position, {}, capacity_, capacity_, true};
   if (builder_.geometry().carries()) {
     frame.drift = picture_.velocity;
     for (auto& v : frame.drift) v = -v;

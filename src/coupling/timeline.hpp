@@ -1,6 +1,7 @@
 #pragma once
-// The intervals between records in the order of time, each with its geometry. Where the fluid rests or has become steady, all
-// further intervals share one geometry; where the flow is the same for all realisations, its intervals are kept and shared.
+// The intervals between records in the order of time, each with its geometry. Where the fluid rests or has become
+// steady, all further intervals share one geometry; where the flow is the same for all realisations, its intervals are
+// kept and shared.
 #include <functional>
 #include <memory>
 #include <vector>
@@ -16,11 +17,11 @@ namespace shmoo::coupling {
 
 template <int D>
 struct Interval {
-  double begin = 0, end = 0;                            // [s]
+  double begin = 0, end = 0;  // [s]
   std::uint64_t number = 0;
-  std::shared_ptr<const Stage<D>> stage;        // null where the scene has no chemistry
-  long record = -1;                                     // index of the record at its end; -1: none
-  const FlowPicture<D>* picture = nullptr;              // the flow at its end where there is a record; valid during the visit
+  std::shared_ptr<const Stage<D>> stage;    // null where the scene has no chemistry
+  long record = -1;                         // index of the record at its end; -1: none
+  const FlowPicture<D>* picture = nullptr;  // the flow at its end where there is a record; valid during the visit
 };
 
 template <int D>
@@ -51,7 +52,7 @@ class Timeline {
   const std::vector<double>& times_;
   double chemistry_step_;
   std::unique_ptr<LiveFlow<D>> flow_;
-  std::vector<double> capacity_;                          // [m^D] now
+  std::vector<double> capacity_;                      // [m^D] now
   std::shared_ptr<const Stage<D>> start_, standing_;  // standing_: stage of all further intervals, where nothing moves
   FlowPicture<D> picture_;
   double steady_since_ = -1.0;

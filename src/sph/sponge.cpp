@@ -5,7 +5,8 @@
 
 namespace shmoo::sph {
 
-Sponge::Sponge(const scene::Inflow& inflow, double diffusivity, int dimension) : inflow_(inflow), dimension_(dimension) {
+Sponge::Sponge(const scene::Inflow& inflow, double diffusivity, int dimension)
+    : inflow_(inflow), dimension_(dimension) {
   const auto& zone = std::get<scene::BoxShape>(inflow.zone->form);
   const scene::Point velocity = inflow.velocity.value_or(scene::Point{});
   for (int a = 1; a < dimension; ++a) {

@@ -1,5 +1,5 @@
-// A + B -> nothing between opposing walls (thesis Table 2.3) against a reference that resolves the front, and the exact law of
-// the difference: E[A - B] obeys pure diffusion whatever the reaction does.
+// A + B -> nothing between opposing walls (thesis Table 2.3) against a reference that resolves the front, and the exact
+// law of the difference: E[A - B] obeys pure diffusion whatever the reaction does.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -108,13 +108,16 @@ TEST(PublishedTables, Annihilation) {
       }
       if (t + 1 < 7) continue;
       const auto d_sph = deviation(profile_a, exact[5], dx, c0), d_ssa = deviation(mean, exact[5], dx, c0);
-      std::printf("1/%-3d steady: SPH Eq. 2.31 %.3e (paper %.3e), at the front %.2e, away %.2e; SSA %.3e (paper %.3e), at the "
-                  "front %.2e, away %.2e\n",
-                  cells, d_sph.published, published_sph[level], d_sph.front, d_sph.away, d_ssa.published, published_ssa[level],
-                  d_ssa.front, d_ssa.away);
+      std::printf(
+          "1/%-3d steady: SPH Eq. 2.31 %.3e (paper %.3e), at the front %.2e, away %.2e; SSA %.3e (paper %.3e), at the "
+          "front %.2e, away %.2e\n",
+          cells, d_sph.published, published_sph[level], d_sph.front, d_sph.away, d_ssa.published, published_ssa[level],
+          d_ssa.front, d_ssa.away);
     }
-    std::printf("1/%-3d E[A-B] within 3 s.e. of pure diffusion: %zu of %zu; largest |SSA - SPH| %.2e C0; CPU s: SPH %.2f, SSA %.1f\n",
-                cells, close, points, most, cpu_sph, cpu_ssa);
+    std::printf(
+        "1/%-3d E[A-B] within 3 s.e. of pure diffusion: %zu of %zu; largest |SSA - SPH| %.2e C0; CPU s: SPH %.2f, SSA "
+        "%.1f\n",
+        cells, close, points, most, cpu_sph, cpu_ssa);
     EXPECT_GE(double(close), 0.98 * double(points));  // 99.73 % expected; fewer than 98 % has a probability below 1e-3
   }
 }

@@ -1,7 +1,7 @@
-// The published tables of diffusion (thesis Tables 2.1 and 2.2), theirs beside ours, with CPU seconds; and whether the mean of
-// the stochastic method is the deterministic solution.
-#include <gtest/gtest.h>
+// The published tables of diffusion (thesis Tables 2.1 and 2.2), theirs beside ours, with CPU seconds; and whether the
+// mean of the stochastic method is the deterministic solution.
 #include <gsl/gsl_cdf.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
@@ -88,14 +88,15 @@ TEST(PublishedTables, DiffusionInASlab) {
         if (std::abs(z) <= 3.0) ++close;
       }
       const auto e_sph = error_of(mean_field, dx, c0, times[t]), e_ssa = error_of(mean, dx, c0, times[t]);
-      std::printf("1/%-3d %5.2f  %.3e  %.3e (%.3e)  %.3e  %.3e (%.3e)\n", cells, times[t], e_sph.rms, e_sph.published_norm,
-                  published_sph[level], e_ssa.rms, e_ssa.published_norm, published_ssa[level]);
+      std::printf("1/%-3d %5.2f  %.3e  %.3e (%.3e)  %.3e  %.3e (%.3e)\n", cells, times[t], e_sph.rms,
+                  e_sph.published_norm, published_sph[level], e_ssa.rms, e_ssa.published_norm, published_ssa[level]);
       if (t + 1 < times.size()) continue;
       EXPECT_LE(e_sph.published_norm, 0.1 * published_sph[level]);
       if (level > 0) EXPECT_GE(std::log2(before / e_sph.rms), 1.8);
       before = e_sph.rms;
     }
-    // The global chi-square uses records a mixing time of a voxel apart; times of one voxel correlate little beyond that.
+    // The global chi-square uses records a mixing time of a voxel apart; times of one voxel correlate little beyond
+    // that.
     const std::size_t last = times.size() - 1;
     std::size_t degrees = 0;
     for (std::size_t i = 1; i + 1 < moments[last].size(); ++i) {
@@ -104,8 +105,8 @@ TEST(PublishedTables, DiffusionInASlab) {
       ++degrees;
     }
     const double p = gsl_cdf_chisq_Q(chi2, double(degrees));
-    std::printf("1/%-3d  CPU s: SPH %.3f, SSA %.2f (%d realisations); within 3 s.e.: %zu of %zu; chi-square p = %.3g\n", cells,
-                cpu_sph, cpu_ssa, realisations, close, points, p);
+    std::printf("1/%-3d  CPU s: SPH %.3f, SSA %.2f (%d realisations); within 3 s.e.: %zu of %zu; chi-square p = %.3g\n",
+                cells, cpu_sph, cpu_ssa, realisations, close, points, p);
     EXPECT_GE(double(close), 0.99 * double(points));
     EXPECT_GT(p, 1e-3);
   }

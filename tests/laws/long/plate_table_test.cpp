@@ -1,4 +1,5 @@
-// Steady diffusion in a plate with one hot side (thesis Table 2.2), theirs beside ours, on a lattice and on disordered particles.
+// Steady diffusion in a plate with one hot side (thesis Table 2.2), theirs beside ours, on a lattice and on disordered
+// particles.
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
@@ -25,15 +26,14 @@ double plate(double x, double y) {
   return c;
 }
 
-bool near_hot_corner(double x, double y) {
-  return std::hypot(x, y - 1.0) < 0.1 || std::hypot(x - 1.0, y - 1.0) < 0.1;
-}
+bool near_hot_corner(double x, double y) { return std::hypot(x, y - 1.0) < 0.1 || std::hypot(x - 1.0, y - 1.0) < 0.1; }
 
 struct Level {
   int n;
   double c0, sph, ssa;  // published, Eq. 2.31
 };
-constexpr Level levels[] = {{17, 2.89e5, 2.337e-4, 2.902e-4}, {33, 1.089e6, 5.818e-5, 1.294e-4}, {65, 4.225e6, 1.438e-5, 2.043e-4}};
+constexpr Level levels[] = {
+    {17, 2.89e5, 2.337e-4, 2.902e-4}, {33, 1.089e6, 5.818e-5, 1.294e-4}, {65, 4.225e6, 1.438e-5, 2.043e-4}};
 
 scene::Overrides plate_at(const Level& level, const std::string& method, double jitter, double reach) {
   const auto number = [](double x, const char* unit) {
@@ -72,13 +72,15 @@ TEST(PublishedTables, DiffusionInAPlate) {
     const double used = test::cpu_seconds() - cpu;
     const auto& n = lab.shared.at("C", 1);
     const double error = rms(lab, n, level.c0, false), published = rms(lab, n, level.c0, true) / level.n;
-    const auto jittered = test::laboratory("validation/diffusion-2d/model.toml", plate_at(level, "deterministic", 0.2, 3.0));
-    const auto wide = test::laboratory("validation/diffusion-2d/model.toml", plate_at(level, "deterministic", 0.0, 3.0));
+    const auto jittered =
+        test::laboratory("validation/diffusion-2d/model.toml", plate_at(level, "deterministic", 0.2, 3.0));
+    const auto wide =
+        test::laboratory("validation/diffusion-2d/model.toml", plate_at(level, "deterministic", 0.0, 3.0));
     const double disordered = rms(jittered, jittered.shared.at("C", 1), level.c0, false);
     const double lattice = rms(wide, wide.shared.at("C", 1), level.c0, false);
-    std::printf("%3d^2  %.3e  %5.2f  %.3e (%.3e)  %.3e  %.2f (to the lattice at the same reach %.3e)  %.2f\n", level.n, error,
-                before > 0.0 ? std::log2(before / error) : 0.0, published, level.sph, disordered, disordered / lattice, lattice,
-                used);
+    std::printf("%3d^2  %.3e  %5.2f  %.3e (%.3e)  %.3e  %.2f (to the lattice at the same reach %.3e)  %.2f\n", level.n,
+                error, before > 0.0 ? std::log2(before / error) : 0.0, published, level.sph, disordered,
+                disordered / lattice, lattice, used);
     EXPECT_LE(published, level.sph);
     EXPECT_LE(disordered, 3.0 * lattice);
     if (before > 0.0) EXPECT_GE(std::log2(before / error), 1.8);
@@ -86,23 +88,27 @@ TEST(PublishedTables, DiffusionInAPlate) {
   }
 }
 
-// Each realisation starts from the deterministic steady state and runs for ten seconds, four relaxation times of the variance.
+// Each realisation starts from the deterministic steady state and runs for ten seconds, four relaxation times of the
+// variance.
 TEST(PublishedTables, StochasticDiffusionInAPlate) {
   for (const auto& level : levels) {
     const double cpu = test::cpu_seconds();
-    const auto steady = test::laboratory("validation/diffusion-2d/model.toml", plate_at(level, "deterministic", 0.0, 1.2));
+    const auto steady =
+        test::laboratory("validation/diffusion-2d/model.toml", plate_at(level, "deterministic", 0.0, 1.2));
     auto overrides = plate_at(level, "stochastic", 0.0, 1.2);
     overrides.push_back({"run.until", "\"10 s\""});
     overrides.push_back({"run.record_every", "\"10 s\""});
     overrides.push_back({"numerics.sampler", "\"split\""});
-    auto scene = scene::read_scene(std::string(SHMOO_SOURCE_DIR) + "/models/validation/diffusion-2d/model.toml", overrides);
+    auto scene =
+        scene::read_scene(std::string(SHMOO_SOURCE_DIR) + "/models/validation/diffusion-2d/model.toml", overrides);
     scene.initials.clear();
     const auto& mean = steady.shared.at("C", 1);
     const auto places = steady.experiment->start_position();
     const auto& volume = steady.shared.at("volume", 0);
     for (std::size_t i = 0; i < mean.size(); ++i) {
       const double half = 0.5 / level.n;
-      const scene::BoxShape cell{{places[i][0] - half, places[i][1] - half, 0}, {places[i][0] + half, places[i][1] + half, 0}};
+      const scene::BoxShape cell{{places[i][0] - half, places[i][1] - half, 0},
+                                 {places[i][0] + half, places[i][1] + half, 0}};
       scene::Initial initial;
       initial.shape = std::make_shared<scene::Shape>(scene::Shape{cell});
       initial.concentration.value = mean[i] / volume[i];
@@ -121,9 +127,10 @@ TEST(PublishedTables, StochasticDiffusionInAPlate) {
       error += std::pow(moments.mean(i) / (volume[i] * level.c0) - plate(places[i][0], places[i][1]), 2);
     }
     const double p = gsl_cdf_chisq_Q(chi2, double(mean.size()));
-    std::printf("%3d^2  SSA Eq. 2.31: %.3e (paper %.3e); within 3 s.e.: %zu of %zu; chi-square p = %.3g; CPU %.1f s for %d\n",
-                level.n, std::sqrt(error) / double(mean.size()), level.ssa, close, mean.size(), p, test::cpu_seconds() - cpu,
-                realisations);
+    std::printf(
+        "%3d^2  SSA Eq. 2.31: %.3e (paper %.3e); within 3 s.e.: %zu of %zu; chi-square p = %.3g; CPU %.1f s for %d\n",
+        level.n, std::sqrt(error) / double(mean.size()), level.ssa, close, mean.size(), p, test::cpu_seconds() - cpu,
+        realisations);
     EXPECT_GE(double(close), 0.99 * double(mean.size()));
     EXPECT_GT(p, 1e-3);
     EXPECT_LE(std::sqrt(error) / double(mean.size()), level.ssa);

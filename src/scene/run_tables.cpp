@@ -18,7 +18,7 @@ Table numerics_table() {
         false,
         "\"wendland_c2\"",
         "smoothing kernel"},
-       {"reach", {number({1.5, 8})}, false, "3", "radius of the kernel, in spacings"},
+       {"reach", {number({1.05, 8})}, false, "3", "radius of the kernel, in spacings; below 1.4 a lattice has nearest neighbours only (for chemistry at rest)"},
        {"pressure",
         {choice({"symmetric", "difference"})},
         false,

@@ -20,4 +20,7 @@ Scene read_scene_text(const std::string& text, const std::string& file, const Ov
 // The JSON Schema of the model file, made from the table that checks it.
 std::string json_schema();
 
+// The reference of all keys in Markdown, made from the same table; part of docs/model-file.md.
+std::string key_reference();
+
 }  // namespace shmoo::scene

@@ -38,7 +38,7 @@ Table file_table() {
         "[]",
         "where the materials are; later regions overwrite earlier ones"},
        {"parameters",
-        {named({unit_later("a number, or a number with any unit"), number(any)}, "the name of a parameter")},
+        {named({unit_later("a number with any unit"), number(any)}, "the name of a parameter")},
         false,
         "{}",
         "named numbers and quantities that expressions can use, in SI units"},
@@ -108,7 +108,7 @@ Table sides_table() {
     keys.push_back({name, side, false, "as its axis", "one side"});
   return {"sides", "domain.boundary",
           "The sides of the domain: \"periodic\", \"wall\" (no slip for the fluid, reflects species) "
-          "or \"reflect\" (free slip, reflects species).",
+          "or \"reflect\" (reflects species).",
           std::move(keys)};
 }
 

@@ -33,6 +33,7 @@ class Expression {
   void set_concentration(int species, double value) { variables_[4 + species] = value; }
   void set_position(double x, double y, double z);  // [m]
   void set_time(double t) { variables_[3] = t; }    // [s]
+  double time() const { return variables_[3]; }
   double value() const;
 
  private:

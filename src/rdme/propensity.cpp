@@ -8,27 +8,8 @@
 
 namespace shmoo::rdme {
 
-Propensities::Propensities(const Network& network) : network_(network), species_(network.species()) {
-  for (const Reaction& reaction : network.reactions()) {
-    Law law;
-    law.constant = reaction.rate_constant;
-    law.order = reaction.order;
-    law.first = static_cast<std::uint32_t>(factors_.size());
-    for (const scene::Term& term : reaction.reactants) {
-      int taken = 0;
-      for (const Change& change : reaction.changes) {
-        if (change.species == term.species) taken = std::max(0, -change.amount);
-      }
-      factors_.push_back({term.species, term.count, network.stochastic(term.species), taken});
-    }
-    law.last = static_cast<std::uint32_t>(factors_.size());
-    if (!reaction.expression.empty() && reaction.stochastic) {
-      law.expression = static_cast<int>(expressions_.size());
-      expressions_.emplace_back(reaction.expression, expression_names(network));
-    }
-    laws_.push_back(law);
-  }
-}
+Propensities::Propensities(const Network& network)
+    : network_(network), laws_(network, true), species_(network.species()) {}
 
 void Propensities::bind(const Voxels& voxels, const State& state) {
   voxels_ = &voxels;
@@ -41,13 +22,13 @@ void Propensities::bind(const Voxels& voxels, const State& state) {
 
 void Propensities::set_time(double t) {
   time_ = t;
-  for (Expression& expression : expressions_) expression.set_time(t);
+  for (Expression& expression : laws_.expressions) expression.set_time(t);
 }
 
 double Propensities::evaluate(int reaction, std::size_t voxel) {
-  const Law& law = laws_[reaction];
+  const Law& law = laws_.of_reaction[reaction];
   if (available(law, voxel) == 0.0) return 0.0;
-  Expression& expression = expressions_[law.expression];
+  Expression& expression = laws_.expressions[law.expression];
   for (int species : expression.reads()) {
     const std::size_t at = voxel * species_ + species;
     const double n = network_.stochastic(species) ? static_cast<double>(count_[at]) : std::max(0.0, amount_[at]);

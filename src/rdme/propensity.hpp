@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rdme/expression.hpp"
+#include "rdme/laws.hpp"
 #include "rdme/network.hpp"
 #include "rdme/state.hpp"
 #include "rdme/voxels.hpp"
@@ -23,37 +23,24 @@ class Propensities {
   // Events per second of a reaction in a voxel, at the numbers that the state holds now. Throws base::RunError, naming
   // the reaction, the voxel and the time, where the value is negative, infinite or not a number.
   double operator()(int reaction, std::size_t voxel) {
-    const Law& law = laws_[reaction];
+    const Law& law = laws_.of_reaction[reaction];
     if (law.expression >= 0) return evaluate(reaction, voxel);
     double a = law.constant * available(law, voxel);
-    if (law.order != 1) a *= volume_factor(law.order, voxel);
+    if (law.order != 1) a *= volume_factor(law.order, volume_[voxel], inverse_volume_[voxel]);
     if (!(a >= 0.0 && a <= 1e300)) refuse(reaction, voxel, a);
     return a;
   }
 
  private:
-  struct Factor {
-    int species, count;
-    bool stochastic;
-    int taken;  // whole molecules that one event takes on balance; of deterministic species
-  };
-  struct Law {
-    double constant = 0;  // k
-    int order = 0;
-    std::uint32_t first = 0, last = 0;  // factors
-    int expression = -1;
-  };
-
   // prod n (n-1) ... (n-nu+1) over stochastic reactants, times prod n^nu over deterministic ones; zero where short of
   // any.
   double available(const Law& law, std::size_t voxel) const {
     double product = 1.0;
     for (std::uint32_t f = law.first; f < law.last; ++f) {
-      const Factor& factor = factors_[f];
+      const Factor& factor = laws_.factors[f];
       const std::size_t at = voxel * species_ + factor.species;
       if (factor.stochastic) {
-        const std::int64_t n = count_[at];
-        for (int k = 0; k < factor.count; ++k) product *= static_cast<double>(n - k);
+        product *= falling(count_[at], factor.count);
       } else {
         const double n = amount_[at] > 0.0 ? amount_[at] : 0.0;
         if (n < factor.taken) return 0.0;
@@ -63,20 +50,11 @@ class Propensities {
     return product;
   }
 
-  double volume_factor(int order, std::size_t voxel) const {
-    if (order == 0) return volume_[voxel];
-    double factor = inverse_volume_[voxel];
-    for (int m = 2; m < order; ++m) factor *= inverse_volume_[voxel];
-    return factor;
-  }
-
   double evaluate(int reaction, std::size_t voxel);
   [[noreturn]] void refuse(int reaction, std::size_t voxel, double value) const;
 
   const Network& network_;
-  std::vector<Law> laws_;
-  std::vector<Factor> factors_;
-  std::vector<Expression> expressions_;
+  Laws laws_;
   std::size_t species_ = 0;
   const std::int64_t* count_ = nullptr;
   const double* amount_ = nullptr;

@@ -1,0 +1,231 @@
+#include "rdme/deterministic.hpp"
+
+#include <cvode/cvode.h>
+#include <cvode/cvode_ls.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "base/error.hpp"
+#include "rdme/rate_system.hpp"
+
+namespace shmoo::rdme {
+namespace {
+
+constexpr double share_of_largest = 0.01, share_of_molecule = 0.01;  // of the absolute tolerance
+constexpr int krylov_dimension = 20;
+constexpr long most_steps = 1000000;  // of one advance
+
+struct Context {
+  SUNContext value = nullptr;
+  Context() { SUNContext_Create(nullptr, &value); }
+  ~Context() { SUNContext_Free(&value); }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+};
+
+// Vector, linear solver and integrator of one size.
+struct Integrator {
+  N_Vector y, allowed;
+  SUNLinearSolver linear;
+  void* memory;
+  std::string message;  // of the last error
+
+  Integrator(std::size_t size, SUNContext context)
+      : y(N_VNew_Serial(static_cast<sunindextype>(size), context)),
+        allowed(N_VNew_Serial(static_cast<sunindextype>(size), context)),
+        linear(SUNLinSol_SPGMR(y, SUN_PREC_NONE, krylov_dimension, context)),
+        memory(CVodeCreate(CV_BDF, context)) {}
+  ~Integrator() {
+    CVodeFree(&memory);
+    SUNLinSolFree(linear);
+    N_VDestroy(allowed);
+    N_VDestroy(y);
+  }
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
+};
+
+}  // namespace
+
+struct DeterministicSolver::Solver {
+  Solver(const Network& of, double relative) : network(of), tolerance(relative), system(of) {
+    if (!(tolerance > 0 && tolerance < 1)) {
+      throw base::InputError(
+          fmt::format("the tolerance of the deterministic chemistry is {}; it must be between 0 and 1", tolerance));
+    }
+    for (const Reaction& reaction : network.reactions()) {
+      for (int s : reaction.reads) reads_counts |= !reaction.stochastic && network.stochastic(s);
+    }
+  }
+
+  const Network& network;
+  double tolerance;
+  RateSystem system;
+  Context context;
+  std::unique_ptr<Integrator> integrator;
+  std::exception_ptr error;
+  const Voxels* voxels = nullptr;
+  State* state = nullptr;
+  bool reads_counts = false;  // integrated reactions read stochastic counts
+  std::uint64_t evaluations = 0;
+
+  // What the last advance left behind; it goes on from there if all of it still holds.
+  bool fresh = true;
+  double reached = 0;
+  Process process = Process::both;
+  std::vector<double> amounts;       // as written to the state
+  std::vector<std::int64_t> counts;  // as they stood
+  std::vector<double> books;         // as already in the ledger
+
+  void create();
+  bool goes_on(double t, Process now) const;
+  void start(double t, double dt);
+  void step(double t, double dt);
+  void write();
+};
+
+namespace {
+
+// CVODE calls these; what they throw waits until CVODE has returned.
+template <class Work>
+int guarded(std::exception_ptr& error, const Work& work) {
+  try {
+    work();
+    return 0;
+  } catch (...) {
+    error = std::current_exception();
+    return -1;
+  }
+}
+
+void keep_message(int, const char*, const char*, char* message, void* integrator) {
+  static_cast<Integrator*>(integrator)->message = message;
+}
+
+}  // namespace
+
+void DeterministicSolver::Solver::create() {
+  integrator = std::make_unique<Integrator>(system.size(), context.value);
+  void* const memory = integrator->memory;
+  const auto derivative = [](double t, N_Vector y, N_Vector dy, void* self) {
+    Solver& solver = *static_cast<Solver*>(self);
+    ++solver.evaluations;
+    return guarded(solver.error, [&] { solver.system.derivative(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dy)); });
+  };
+  const auto along = [](N_Vector v, N_Vector out, double t, N_Vector y, N_Vector, void* self, N_Vector) {
+    Solver& solver = *static_cast<Solver*>(self);
+    return guarded(solver.error, [&] {
+      solver.system.derivative_along(t, N_VGetArrayPointer(y), N_VGetArrayPointer(v), N_VGetArrayPointer(out));
+    });
+  };
+  N_VConst(0.0, integrator->y);
+  N_VConst(1.0, integrator->allowed);
+  CVodeInit(memory, derivative, 0.0, integrator->y);
+  CVodeSetUserData(memory, this);
+  CVodeSetErrHandlerFn(memory, keep_message, integrator.get());
+  CVodeSVtolerances(memory, tolerance, integrator->allowed);
+  CVodeSetLinearSolver(memory, integrator->linear, nullptr);
+  CVodeSetJacTimes(memory, nullptr, along);
+  CVodeSetMaxNumSteps(memory, most_steps);
+}
+
+bool DeterministicSolver::Solver::goes_on(double t, Process now) const {
+  return !fresh && std::abs(t - reached) <= 1e-12 * std::abs(t) && now == process && amounts == state->amount &&
+         (!reads_counts || counts == state->count);
+}
+
+void DeterministicSolver::Solver::start(double t, double dt) {
+  const std::vector<int>& species = system.species();
+  const std::size_t stride = species.size(), unknowns = system.unknowns();
+  double* const y = N_VGetArrayPointer(integrator->y);
+  double* const allowed = N_VGetArrayPointer(integrator->allowed);
+  for (std::size_t d = 0; d < stride; ++d) {
+    double largest = 0;
+    for (std::size_t i = 0; i < voxels->size(); ++i) {
+      y[i * stride + d] = state->amount[i * state->species + species[d]];
+      largest = std::max(largest, std::abs(y[i * stride + d]));
+    }
+    const double molecules = tolerance * (share_of_largest * largest + share_of_molecule);
+    for (std::size_t at = d; at < unknowns; at += stride) allowed[at] = molecules;
+  }
+  // Books follow from the amounts, so they need no watch of their own.
+  std::fill(y + unknowns, y + system.size(), 0.0);
+  std::fill(allowed + unknowns, allowed + system.size(), 1e100);
+  books.assign(system.size() - unknowns, 0.0);
+  system.check_signs(t, dt, y, tolerance);
+  CVodeReInit(integrator->memory, t, integrator->y);
+  CVodeSVtolerances(integrator->memory, tolerance, integrator->allowed);
+}
+
+void DeterministicSolver::Solver::step(double t, double dt) {
+  double now = t;
+  error = nullptr;
+  const int flag = CVode(integrator->memory, t + dt, integrator->y, &now, CV_NORMAL);
+  if (error) std::rethrow_exception(error);
+  if (flag < 0) {
+    throw base::RunError(
+        fmt::format("deterministic chemistry cannot go on from t = {} s: {} Reactions that blow up, or rates "
+                    "many orders of magnitude apart, are the usual reasons.",
+                    now, integrator->message));
+  }
+  system.check_signs(t + dt, dt, N_VGetArrayPointer(integrator->y), tolerance);
+}
+
+void DeterministicSolver::Solver::write() {
+  const std::vector<int>& species = system.species();
+  const std::size_t stride = species.size();
+  const double* const y = N_VGetArrayPointer(integrator->y);
+  for (std::size_t i = 0; i < voxels->size(); ++i) {
+    for (std::size_t d = 0; d < stride; ++d) state->amount[i * state->species + species[d]] = y[i * stride + d];
+  }
+  const double* const book = y + system.unknowns();
+  for (std::size_t d = 0; d < stride; ++d) {
+    Account<double>& account = state->ledger.amounts[species[d]];
+    const auto since = [&](RateSystem::Book which) { return book[which * stride + d] - books[which * stride + d]; };
+    account.created += since(RateSystem::created);
+    account.destroyed += since(RateSystem::destroyed);
+    account.entered += since(RateSystem::entered);
+    account.left += since(RateSystem::left);
+  }
+  books.assign(book, book + books.size());
+}
+
+DeterministicSolver::DeterministicSolver(const Network& network, double tolerance)
+    : solver_(std::make_unique<Solver>(network, tolerance)) {}
+
+DeterministicSolver::~DeterministicSolver() = default;
+
+std::uint64_t DeterministicSolver::evaluations() const { return solver_->evaluations; }
+
+void DeterministicSolver::bind(const Voxels& voxels, State& state) {
+  Solver& solver = *solver_;
+  const std::size_t before = solver.system.size();
+  solver.voxels = &voxels;
+  solver.state = &state;
+  solver.system.bind(voxels, state);
+  if (solver.system.species().empty()) return;
+  if (!solver.integrator || solver.system.size() != before) solver.create();
+  solver.fresh = true;
+}
+
+void DeterministicSolver::advance(double t, double dt, Process process) {
+  Solver& solver = *solver_;
+  if (solver.system.species().empty() || solver.voxels->size() == 0 || dt <= 0) return;
+  solver.system.act_on(process);
+  if (!solver.goes_on(t, process)) solver.start(t, dt);
+  solver.fresh = true;  // until it has gone well
+  solver.step(t, dt);
+  solver.write();
+  solver.fresh = false;
+  solver.reached = t + dt;
+  solver.process = process;
+  solver.amounts = solver.state->amount;
+  if (solver.reads_counts) solver.counts = solver.state->count;
+}
+
+}  // namespace shmoo::rdme

@@ -1,0 +1,29 @@
+#include "rdme/laws.hpp"
+
+#include <algorithm>
+
+namespace shmoo::rdme {
+
+Laws::Laws(const Network& network, bool sampled) {
+  for (const Reaction& reaction : network.reactions()) {
+    Law law;
+    law.constant = reaction.rate_constant;
+    law.order = reaction.order;
+    law.first = static_cast<std::uint32_t>(factors.size());
+    for (const scene::Term& term : reaction.reactants) {
+      int taken = 0;
+      for (const Change& change : reaction.changes) {
+        if (change.species == term.species) taken = std::max(0, -change.amount);
+      }
+      factors.push_back({term.species, term.count, network.stochastic(term.species), taken});
+    }
+    law.last = static_cast<std::uint32_t>(factors.size());
+    if (!reaction.expression.empty() && reaction.stochastic == sampled) {
+      law.expression = static_cast<int>(expressions.size());
+      expressions.emplace_back(reaction.expression, expression_names(network));
+    }
+    of_reaction.push_back(law);
+  }
+}
+
+}  // namespace shmoo::rdme

@@ -1,0 +1,48 @@
+#pragma once
+// Rate laws of a network in a flat form for fast evaluation, with their compiled expressions. Not thread safe: one per
+// sampler or solver and thread.
+#include <cstdint>
+#include <vector>
+
+#include "rdme/expression.hpp"
+#include "rdme/network.hpp"
+
+namespace shmoo::rdme {
+
+struct Factor {
+  int species = 0, count = 0;
+  bool stochastic = false;
+  int taken = 0;  // whole molecules that one event takes on balance
+};
+
+struct Law {
+  double constant = 0;                // k
+  int order = 0;                      // m
+  std::uint32_t first = 0, last = 0;  // factors
+  int expression = -1;                // index; -1: mass action
+};
+
+struct Laws {
+  Laws(const Network& network, bool sampled);  // expressions of sampled, or of integrated reactions only
+
+  std::vector<Law> of_reaction;
+  std::vector<Factor> factors;
+  std::vector<Expression> expressions;
+};
+
+// V^(1-m), by the inverse volume [1/m^3].
+inline double volume_factor(int order, double volume, double inverse_volume) {
+  if (order == 0) return volume;
+  double factor = 1.0;
+  for (int m = 1; m < order; ++m) factor *= inverse_volume;
+  return factor;
+}
+
+// n (n-1) ... (n-count+1)
+inline double falling(std::int64_t n, int count) {
+  double product = 1.0;
+  for (int k = 0; k < count; ++k) product *= static_cast<double>(n - k);
+  return product;
+}
+
+}  // namespace shmoo::rdme

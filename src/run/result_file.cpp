@@ -75,6 +75,7 @@ ResultFile::ResultFile(const std::filesystem::path& path) : path_(path), file_(o
   times = h5::read<double>(file_, "/time");
   material = h5::read<std::int32_t>(file_, "/particles/material");
   material_names = h5::read_texts(file_, "/particles/material_names");
+  material_types = h5::read_texts(file_, "/particles/material_types");
   for (const auto& name : h5::children(file_, "/fields")) fields.push_back(describe_field(name));
   for (const auto& name : h5::children(file_, "/observables")) observables.push_back(describe_observable(name));
 }

@@ -44,11 +44,11 @@ class ResultFile {
   std::uint64_t seed = 0;
   std::size_t realisations = 0, done = 0;
   int dimension = 2;
-  double spacing = 0, depth = 0;       // [m]
-  std::vector<double> lower, upper;    // [m]
-  std::vector<double> times;           // [s]
-  std::vector<std::int32_t> material;  // by particle
-  std::vector<std::string> material_names;
+  double spacing = 0, depth = 0;                            // [m]
+  std::vector<double> lower, upper;                         // [m]
+  std::vector<double> times;                                // [s]
+  std::vector<std::int32_t> material;                       // by particle
+  std::vector<std::string> material_names, material_types;  // "fluid", "wall", "still"
   std::vector<Entry> fields, observables;
 
   const Entry& field(const std::string& name) const;       // base::InputError with the nearest name

@@ -34,6 +34,12 @@ void write_particles(hid_t file, const Description& description) {
   h5::Strings names;
   for (const auto& material : description.scene.materials) names.push_back(material.name);
   h5::write_texts(file, "/particles/material_names", names);
+  h5::Strings types;
+  for (const auto& material : description.scene.materials) {
+    using enum scene::MaterialType;
+    types.emplace_back(material.type == fluid ? "fluid" : material.type == wall ? "wall" : "still");
+  }
+  h5::write_texts(file, "/particles/material_types", types);
   std::vector<double> flat;
   for (const auto& position : description.start_position) flat.insert(flat.end(), position.begin(), position.end());
   const auto start = h5::write<double>(file, "/particles/start_position", {count, 3}, flat);

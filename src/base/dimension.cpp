@@ -76,7 +76,8 @@ std::string si_unit(const Dimension& d) {
 }
 
 std::string expectation(const Dimension& dimension) {
-  if (const Named* named = find(dimension)) return fmt::format("{}, such as \"{}\"", named->name, named->example);
+  if (const Named* named = find(dimension))
+    return fmt::format("{}, such as \"{}\"", dimension_name(dimension), named->example);
   return fmt::format("a quantity in {}", si_unit(dimension));
 }
 

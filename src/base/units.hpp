@@ -52,7 +52,7 @@ constexpr Dimension rate_constant(int order) { return power(concentration, 1 - o
 // SI symbols, such as "m^2/s" or "m^3/(molecule s)"; "1" for a pure number.
 std::string si_unit(const Dimension& dimension);
 
-// What to write for such a quantity: "a length, such as \"1 um\"". Unnamed dimensions: "a quantity in kg/K".
+// What to write for such a quantity: "a length [m], such as \"1 um\"". Unnamed dimensions: "a quantity in kg/K".
 std::string expectation(const Dimension& dimension);
 
 // A name with its article and unit for what came: "a length [m]"; unnamed dimensions: "a quantity in kg/K".

@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/nearest.hpp"
 #include "base/units.hpp"
 #include "scene/build.hpp"
 
@@ -26,8 +27,18 @@ std::optional<Place> place_named(const std::string& name, const toml::node& at, 
                                  const Scene& scene) {
   const auto place = side_named(name);
   if (!place) {
-    const int material = material_index(scene, name, section, "at", at);
-    return material < 0 ? std::nullopt : std::optional(Place{-1, 0, material});
+    std::vector<std::string> names;
+    for (int axis = 0; axis < scene.dimension; ++axis)
+      for (const char* end : {"_min", "_max"})
+        names.push_back(axis_names[static_cast<std::size_t>(axis)] + std::string(end));
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      if (scene.materials[i].name == name) return Place{-1, 0, static_cast<int>(i)};
+      names.push_back(scene.materials[i].name);
+    }
+    section.error(at, "at",
+                  fmt::format("no side or material is called {}{}", quoted(name),
+                              suggestion(name, names, fmt::format("places: {}", base::list_of(names)))));
+    return std::nullopt;
   }
   if (place->axis >= scene.dimension) {
     section.error(at, "at", fmt::format("a scene of dimension {} has no side {}", scene.dimension, name));

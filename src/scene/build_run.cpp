@@ -70,11 +70,9 @@ void read_record(const Section& section, Scene& scene) {
       scene.run.record.push_back(name);
       continue;
     }
-    const std::string shown = name.substr(0, 64);
     section.error(*node, "record",
-                  fmt::format("no field is called {}{} fields: {}", quoted(name),
-                              base::nearest_name(shown, known).empty() ? ";" : base::did_you_mean(shown, known),
-                              base::list_of(known)));
+                  fmt::format("no field is called {}{}", quoted(name),
+                              suggestion(name, known, fmt::format("fields: {}", base::list_of(known)))));
   }
 }
 

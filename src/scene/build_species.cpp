@@ -81,11 +81,8 @@ int species_index(const Scene& scene, const std::string& name, const Section& se
     names.push_back(scene.species[i].name);
   }
   section.error(at, key,
-                fmt::format("no species is called {}{} species: {}", quoted(name),
-                            base::nearest_name(name.substr(0, longest_name), names).empty()
-                                ? ";"
-                                : base::did_you_mean(name.substr(0, longest_name), names),
-                            base::list_of(names)));
+                fmt::format("no species is called {}{}", quoted(name),
+                            suggestion(name, names, fmt::format("species: {}", base::list_of(names)))));
   return -1;
 }
 

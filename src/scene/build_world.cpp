@@ -95,7 +95,7 @@ void read_side(const Section& sides, const std::string& key, int axis, Side& sid
   side = {side_type(section->text("type").value_or("")).value_or(SideType::reflect), {}};
   if (!section->has("velocity")) return;
   side.velocity = section->point("velocity").value_or(Point{});
-  if (side.type != SideType::wall)
+  if (section->good("type") && side.type != SideType::wall)
     section->error("velocity", "only a side of type \"wall\" slides");
   else if (side.velocity[static_cast<std::size_t>(axis)] != 0)
     section->error("velocity", fmt::format("a side slides along itself; its {} component must be 0",
@@ -132,8 +132,9 @@ void check_extent(const Section& domain, const Scene& scene) {
   for (int axis = 0; axis < scene.dimension; ++axis) {
     const double length = (*size)[static_cast<std::size_t>(axis)];
     if (spacing > length) {
-      domain.error("spacing", fmt::format("{} m is larger than the domain's {} m along {}; choose a smaller spacing",
-                                          spacing, length, axis_names[static_cast<std::size_t>(axis)]));
+      domain.error("spacing",
+                   fmt::format("{:.6g} m is larger than the domain's {:.6g} m along {}; choose a smaller spacing",
+                               spacing, length, axis_names[static_cast<std::size_t>(axis)]));
       return;
     }
     particles *= length / spacing;
@@ -178,11 +179,8 @@ int material_index(const Scene& scene, const std::string& name, const Section& s
     names.push_back(scene.materials[i].name);
   }
   section.error(at, key,
-                fmt::format("no material is called {}{} materials: {}", quoted(name),
-                            base::nearest_name(name.substr(0, longest_name), names).empty()
-                                ? ";"
-                                : base::did_you_mean(name.substr(0, longest_name), names),
-                            base::list_of(names)));
+                fmt::format("no material is called {}{}", quoted(name),
+                            suggestion(name, names, fmt::format("materials: {}", base::list_of(names)))));
   return -1;
 }
 

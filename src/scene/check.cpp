@@ -31,6 +31,12 @@ const Form* form_of(const std::vector<Form>& forms, std::initializer_list<Kind> 
   return found == forms.end() ? nullptr : &*found;
 }
 
+bool belongs_to_a_shape(std::string_view name) {
+  const auto named = [&](const Key& key) { return key.name == name; };
+  return std::any_of(shape_tables().begin(), shape_tables().end(),
+                     [&](const ShapeTable& shape) { return std::any_of(shape.keys.begin(), shape.keys.end(), named); });
+}
+
 std::vector<std::string> strings(const std::vector<std::string_view>& views) { return {views.begin(), views.end()}; }
 
 }  // namespace
@@ -57,7 +63,7 @@ bool looks_like_quantity(std::string_view text) {
 std::string describe(const toml::node& value) {
   if (const auto* text = value.as_string()) return quoted(text->get());
   if (const auto* integer = value.as_integer()) return fmt::format("the number {}", integer->get());
-  if (const auto* number = value.as_floating_point()) return fmt::format("the number {}", number->get());
+  if (const auto* number = value.as_floating_point()) return fmt::format("the number {:#}", number->get());
   if (const auto* boolean = value.as_boolean()) return boolean->get() ? "true" : "false";
   if (value.is_array()) return "a list";
   if (value.is_table()) return "a table";
@@ -114,13 +120,16 @@ const ShapeTable* Checker::shape_of(const toml::table& given, const Table& schem
 void Checker::check_keys(const toml::table& given, const Table& schema, const ShapeTable* shape,
                          const std::string& path) {
   const toml::node* shape_node = schema.shape == ShapeUse::none ? nullptr : given.get(shape_key().name);
-  const bool unknown_shape = shape_node && !shape;
   std::vector<std::string> meant;  // names that unknown keys most likely stand for
   for (const auto& [key, value] : given) {
     const Key* known = find_key(schema, key.str(), shape);
     if (!known) known = find_key(schema, "NAME");
-    if (!known && unknown_shape) continue;  // it may be a key of the shape that was meant
-    if (!known)
+    const bool of_a_shape = !known && schema.shape != ShapeUse::none && !shape && belongs_to_a_shape(key.str());
+    if (of_a_shape && (shape_node || schema.shape == ShapeUse::required)) continue;  // the shape itself was reported
+    if (of_a_shape)
+      fail(value, join_path(path, key.str()),
+           "is a key of a shape, and there is no 'shape' beside it; add it, such as shape = \"box\"");
+    else if (!known)
       unknown_key(key, value, schema, shape, path, meant);
     else if (known->forms.front().kind == Kind::refused)
       fail(value, join_path(path, key.str()), std::string(known->doc));
@@ -141,11 +150,9 @@ void Checker::unknown_key(const toml::key& key, const toml::node& value, const T
   if (!nearest.empty()) meant.push_back(nearest);
   const bool needs_shape = schema.shape == ShapeUse::optional && !shape;
   const auto& at = value.source().path && value.source().path->starts_with("--set") ? value.source() : key.source();
-  report_.add(
-      at,
-      fmt::format("{}: unknown key{}; {} here: {}{}", join_path(path, key.str()),
-                  base::did_you_mean(given, names).empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
-                  "allowed", base::list_of(names), needs_shape ? " and, after 'shape', the keys of that shape" : ""));
+  const auto rest =
+      fmt::format("allowed here: {}{}", base::list_of(names), needs_shape ? ", and the keys of a shape" : "");
+  report_.add(at, fmt::format("{}: unknown key{}", join_path(path, key.str()), suggestion(given, names, rest)));
 }
 
 void Checker::check_required(const toml::table& given, const Key& key, const std::string& path,
@@ -198,11 +205,8 @@ bool Checker::check_choice(const toml::node& value, const std::string& text, con
     return fail(value, path, message);
   }
   return fail(value, path,
-              fmt::format("got {}{} expected {}", quoted(text),
-                          base::nearest_name(text.substr(0, longest_name), strings(form.choices)).empty()
-                              ? ";"
-                              : base::did_you_mean(text.substr(0, longest_name), strings(form.choices)),
-                          expected(form)));
+              fmt::format("got {}{}", quoted(text),
+                          suggestion(text, strings(form.choices), fmt::format("expected {}", expected(form)))));
 }
 
 bool Checker::check_quantity(const toml::node& value, const std::string& text, const Form& form,

@@ -26,8 +26,8 @@ std::pair<std::string, int> parse_term(std::string_view text) {
   const bool counted = status != std::errc::invalid_argument;
   const std::string name(counted ? trim(term.substr(static_cast<std::size_t>(end - term.data()))) : term);
   if (counted && (status != std::errc{} || count < 1 || count > largest_count))
-    throw EquationError(
-        fmt::format("the count in {} is out of range; allowed is 1 to {}", quoted(term), largest_count));
+    throw EquationError(fmt::format("the count in {} is not allowed; counts are whole numbers from 1 to {}",
+                                    quoted(term), largest_count));
   if (!is_identifier(name))
     throw EquationError(fmt::format(
         "{} is no term; write the name of a species, after a whole number where there are several", quoted(term)));

@@ -9,6 +9,7 @@
 
 #include "base/nearest.hpp"
 #include "base/random.hpp"
+#include "scene/report.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -34,9 +35,8 @@ std::string explain(const mu::Parser::exception_type& error, const std::vector<s
   const std::string name =
       token.substr(0, token.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"));
   if (name.empty()) return fmt::format("'{}' does not belong there", token);
-  return fmt::format("'{}' is not defined{} names here: {}", name,
-                     base::nearest_name(name, names).empty() ? ";" : base::did_you_mean(name, names),
-                     base::list_of(variables));
+  return fmt::format("'{}' is not defined{}", name,
+                     suggestion(name, names, fmt::format("names here: {}", base::list_of(variables))));
 }
 
 }  // namespace
@@ -57,13 +57,13 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
   try {
     for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &values[i]);
     parser.SetExpr(text);
+    int results = 0;
+    parser.Eval(results);  // before GetUsedVar, which forgives undefined names
+    if (results != 1) throw ExpressionError(fmt::format("a formula has one value, not {}", results));
     for (const auto& [name, address] : parser.GetUsedVar()) {
       const auto found = std::find(variables.begin(), variables.end(), name);
       if (found != variables.end()) used[static_cast<std::size_t>(found - variables.begin())] = true;
     }
-    int results = 0;
-    parser.Eval(results);
-    if (results != 1) throw ExpressionError(fmt::format("a formula has one value, not {}", results));
   } catch (const mu::Parser::exception_type& error) {
     throw ExpressionError(explain(error, variables));
   }

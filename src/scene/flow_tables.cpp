@@ -77,7 +77,8 @@ Table effects_table() {
   return {"effects",
           "[effects]",
           "What is computed. An effect that is off costs nothing. All but `flow` need the flow.",
-          {effect("flow", "true where something drives a fluid",
+          {{"default", {refused()}, false, "", "\"auto\" is not in this version; write each effect as true or false"},
+           effect("flow", "true where something drives a fluid",
                   "the fluid moves; driven by an inflow velocity, a body force, an initial velocity, a moving wall or "
                   "thermal noise"),
            effect("viscosity", "true", "friction inside the fluid"),

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <tuple>
+
+#include "base/nearest.hpp"
 
 namespace shmoo::scene {
 namespace {
 
 constexpr std::size_t most_diagnostics = 100;
+constexpr std::size_t longest_name = 64;   // bytes that are compared with valid names
 constexpr std::size_t longest_quote = 60;  // bytes
 
 auto order(const base::Diagnostic& diagnostic) {
@@ -42,6 +46,13 @@ void Report::finish() {
     diagnostics_.push_back({{file_, 0, 0}, fmt::format("{} more mistakes are not shown", more)});
   }
   throw base::InputError(std::move(diagnostics_));
+}
+
+std::string suggestion(std::string_view given, const std::vector<std::string>& names, std::string rest) {
+  const std::string meant = base::did_you_mean(given.substr(0, longest_name), names);
+  if (meant.empty()) return fmt::format("; {}", rest);
+  rest.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(rest.front())));
+  return fmt::format("{} {}", meant, rest);
 }
 
 std::string quoted(std::string_view text) {

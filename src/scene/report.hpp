@@ -34,6 +34,9 @@ class Report {
   std::set<const toml::node*> bad_;
 };
 
+// What follows a name that is not known: "; did you mean 'NAME'? Rest" where one is near, otherwise "; rest".
+std::string suggestion(std::string_view given, const std::vector<std::string>& names, std::string rest);
+
 // The text in quotes for a message: cut short where it is long, control characters replaced.
 std::string quoted(std::string_view text);
 

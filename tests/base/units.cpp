@@ -85,7 +85,7 @@ TEST(Units, SpeaksOfDimensions) {
   EXPECT_EQ(si_unit(rate_constant(2)), "m^3/(molecule s)");
   EXPECT_EQ(si_unit(none), "1");
   EXPECT_EQ(si_unit(frequency), "1/s");
-  EXPECT_EQ(expectation(length), "a length, such as \"1 um\"");
+  EXPECT_EQ(expectation(length), "a length [m], such as \"1 um\"");
   EXPECT_EQ(dimension_name(mass / temperature), "a quantity in kg/K");
   EXPECT_EQ(dimension_name(length), "a length [m]");
 }

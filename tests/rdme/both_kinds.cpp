@@ -158,8 +158,7 @@ TEST_P(BothKinds, AProcessActsAlone) {
   EXPECT_GT(trial.state.count[1], 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Method, BothKinds,
-                         testing::Values(scene::Sampler::direct, scene::Sampler::composition_rejection), method_name);
+INSTANTIATE_TEST_SUITE_P(Method, BothKinds, every_method, method_name);
 
 }  // namespace
 }  // namespace shmoo::rdme

@@ -1,7 +1,8 @@
-# Flags that all our code shares. Contraction is off so that absent and present-at-zero effects give the same bits.
+# Flags that all our code shares. Contraction is off so that absent and present-at-zero effects give the same bits; that errno
+# and floating-point traps are not looked at changes no value, but lets loops with square roots and choices be vectorised.
 add_library(shmoo_flags INTERFACE)
 target_compile_options(shmoo_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -fno-math-errno -fno-trapping-math -ffp-contract=off
   -Wno-maybe-uninitialized)  # false alarms of g++ 12 in aggregate initialisation
 if(SHMOO_ARCH)
   target_compile_options(shmoo_flags INTERFACE -march=${SHMOO_ARCH})

@@ -1,0 +1,69 @@
+// What a flow tells about itself. Sums run in the order of the store, so they do not depend on threads.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hydro/fluid.hpp"
+
+namespace shmoo::hydro {
+
+template <int D>
+double Fluid<D>::kinetic_energy() const {
+  double sum = 0.0;
+  for (const std::uint32_t i : state_.rows.fluid()) sum += state_.velocity[i].squaredNorm();
+  return 0.5 * state_.scales.mass * state_.scales.depth * sum;
+}
+
+template <int D>
+double Fluid<D>::max_speed() const {
+  double largest = 0.0;
+  for (const std::uint32_t i : state_.rows.fluid()) largest = std::max(largest, state_.velocity[i].squaredNorm());
+  return std::sqrt(largest);
+}
+
+template <int D>
+base::Vec<D> Fluid<D>::momentum() const {
+  Vec sum = Vec::Zero();
+  for (const std::uint32_t i : state_.rows.fluid()) sum += state_.velocity[i];
+  return state_.scales.mass * state_.scales.depth * sum;
+}
+
+template <int D>
+double Fluid<D>::temperature() const {
+  const auto& fluid = state_.rows.fluid();
+  if (fluid.size() < 2) return 0.0;
+  Vec mean = Vec::Zero();
+  for (const std::uint32_t i : fluid) mean += state_.velocity[i];
+  mean /= double(fluid.size());
+  double sum = 0.0;
+  for (const std::uint32_t i : fluid) sum += (state_.velocity[i] - mean).squaredNorm();
+  return state_.scales.mass * state_.scales.depth * sum / (D * double(fluid.size() - 1));
+}
+
+template <int D>
+double Fluid<D>::density_error() const {
+  double largest = 0.0;
+  for (const std::uint32_t i : state_.rows.fluid()) {
+    largest = std::max(largest, std::abs(state_.density[i] / state_.scales.density - 1.0));
+  }
+  return largest;
+}
+
+template <int D>
+double Fluid<D>::smallest_distance() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  const auto& rows = state_.rows;
+  for (const std::uint32_t i : rows.fluid()) {
+    for (std::uint64_t p = rows.first(i); p < rows.first(i) + rows.count(i); ++p) {
+      const auto j = std::size_t(rows.partner()[p]);
+      if (state_.particles.role[j] == sph::Role::fluid)
+        smallest = std::min(smallest, state_.separation(i, j).squaredNorm());
+    }
+  }
+  return std::sqrt(smallest) / state_.scales.spacing;
+}
+
+template class Fluid<2>;
+template class Fluid<3>;
+
+}  // namespace shmoo::hydro

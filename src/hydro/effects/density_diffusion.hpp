@@ -1,0 +1,33 @@
+#pragma once
+// Density diffusion (Molteni & Colagrossi 2009, "A simple procedure to improve the pressure evaluation in hydrodynamic
+// context using the SPH"): + 2 delta hs c0 sum_j V_j F_ij (rho_j - rho_i), which raises rho_i where its neighbours are
+// denser.
+#include "hydro/effects/absent.hpp"
+#include "hydro/effects/pair.hpp"
+#include "hydro/scales.hpp"
+
+namespace shmoo::hydro {
+
+struct DensityDiffusion {
+  static constexpr const char* name = "density diffusion";
+  static constexpr double delta = 0.1;
+  static constexpr int sums = 1;
+
+  double coefficient = 0;  // [m^2/s] 2 delta hs c0
+
+  template <int D>
+  static Slot<DensityDiffusion> choose(const scene::Scene& scene, const Scales<D>& scales) {
+    // With thermal noise density is a sum over kernels, which cannot diffuse.
+    if (!scene.effects.density_diffusion || scene.effects.thermal_noise) return Absent{};
+    return DensityDiffusion{2.0 * delta * scales.smoothing * scales.sound_speed};
+  }
+
+  template <int D>
+  static void add(const DensityPair<D>& pair, Lane (&sum)[sums]) {
+    sum[0] += pair.FV * pair.density;
+  }
+
+  double rate(const Lane (&sum)[sums]) const { return coefficient * total(sum[0]); }  // [kg/(m^3 s)]
+};
+
+}  // namespace shmoo::hydro

@@ -1,0 +1,67 @@
+#include "hydro/effects/list.hpp"
+
+#include "hydro/effects/body_force.hpp"
+#include "hydro/effects/sponge.hpp"
+
+namespace shmoo::hydro {
+
+template <int D>
+Effects<D> Effects<D>::choose(const scene::Scene& scene, const Scales<D>& scales, const base::RandomKey& key) {
+  Effects effects;
+  if (scene.numerics.pressure == scene::PressureForm::difference) effects.pressure = DifferencePressure{};
+  if (scene.effects.thermal_noise) effects.density = DensityBySummation{scales.density / scales.lattice_sum};
+  effects.density_diffusion = DensityDiffusion::choose(scene, scales);
+  effects.transport_velocity = TransportVelocity<D>::choose(scene, scales);
+  effects.viscosity = Viscosity<D>::choose(scene, scales);
+  effects.thermal_noise = ThermalNoise<D>::choose(scene, scales, key);
+  effects.bounce_back = BounceBack<D>::choose(scene);
+  BodyForce<D>::choose(scene, scales, effects.body);
+  Sponge<D>::choose(scene, scales, effects.body);
+  return effects;
+}
+
+template <int D>
+std::vector<std::string> Effects<D>::names() const {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& slot) {
+    std::visit(
+        [&](const auto& effect) {
+          if constexpr (present<std::decay_t<decltype(effect)>>) names.emplace_back(effect.name);
+        },
+        slot);
+  };
+  add(pressure);
+  add(density);
+  add(density_diffusion);
+  add(transport_velocity);
+  add(viscosity);
+  add(thermal_noise);
+  if (bounce_back) names.emplace_back(BounceBack<D>::name);
+  for (const auto& effect : body) names.emplace_back(effect->name());
+  return names;
+}
+
+template <int D>
+void Effects<D>::limits(const Scales<D>& scales, std::vector<StepLimit>& list) const {
+  if (const auto* effect = std::get_if<Viscosity<D>>(&viscosity)) effect->limits(scales, list);
+  if (const auto* effect = std::get_if<ThermalNoise<D>>(&thermal_noise)) effect->limits(scales, list);
+  for (const auto& effect : body) effect->limits(scales, list);
+}
+
+template <int D>
+void Effects<D>::require_columns(State<D>& state) const {
+  auto& store = state.particles;
+  using Vec = base::Vec<D>;
+  if (is_present(viscosity) || is_present(thermal_noise))
+    state.scaling = &store.template require<double>("scaling", "1");
+  if (std::holds_alternative<DifferencePressure>(pressure)) {
+    state.correction = &store.template require<base::Mat<D>>("correction", "1");
+  }
+  if (is_present(transport_velocity)) state.shift = &store.template require<Vec>("shift_velocity", "m/s");
+  if (is_present(thermal_noise)) state.noise = &store.template require<Vec>("noise", "m/s^1.5");
+}
+
+template struct Effects<2>;
+template struct Effects<3>;
+
+}  // namespace shmoo::hydro

@@ -1,0 +1,31 @@
+#pragma once
+// What a pair effect sees of eight pairs of one particle i, all from its side. Volumes, masses and forces in the
+// per-depth convention.
+#include "hydro/lanes.hpp"
+
+namespace shmoo::hydro {
+
+// In the first sweep, where density changes.
+template <int D>
+struct DensityPair {
+  Lane x[D];     // [m] x_i - x_j
+  Lane v[D];     // [m/s] v_i - v_j
+  Lane FV;       // [1/m^2] F_ij V_j
+  Lane density;  // [kg/m^3] rho_j - rho_i
+};
+
+// In the second sweep, where forces act.
+template <int D>
+struct ForcePair {
+  Lane x[D];   // [m] x_i - x_j
+  Lane v[D];   // [m/s] v_i - v_j
+  Lane r2;     // [m^2]
+  Lane F;      // [1/m^(D+2)]
+  double V_i;  // [m^D]
+  Lane V_j;
+  double p_i;  // [Pa]
+  Lane p_j;
+  Lane s;  // (s_i + s_j)/2, second-moment scaling; 1 where no effect asked for it
+};
+
+}  // namespace shmoo::hydro

@@ -1,0 +1,60 @@
+#pragma once
+// Thermal noise that balances the pair friction -[a v_ij + b e (e.v_ij)] (fluctuation and dissipation; Espanol &
+// Revenga 2003). Their force is [A Wbar + (B/D) tr(dW) 1].e with Wbar the traceless symmetric part of a D x D matrix of
+// N(0, dt) and A^2 = 4 kT a, B^2 = 2 kT [D b + (2 - D) a]. For a pair only the vector (matrix).e acts; it is Gaussian
+// with the covariance
+//   A^2 [1/2 + (1/2 - 1/D) ee] + (B^2/D) ee = 2 kT [a 1 + b ee]   per time,
+// so it is drawn as such: D numbers xi in place of D^2, force = sqrt(2 kT) [sqrt(a) xi + (sqrt(a + b) - sqrt(a)) e
+// (e.xi)]. The same xi acts on both partners with opposite sign.
+#include <cmath>
+
+#include "base/random.hpp"
+#include "hydro/effects/absent.hpp"
+#include "hydro/effects/pair.hpp"
+#include "hydro/scales.hpp"
+
+namespace shmoo::hydro {
+
+template <int D>
+struct ThermalNoise {
+  static constexpr const char* name = "thermal noise";
+  // Friction rate times step below which kT stays within 1 %.
+  static constexpr double most_friction = 0.25;
+
+  static constexpr double root_twelve = 3.4641016151377544;
+
+  double across = 0,
+         along = 0;  // [(N/m^(3-D)) sqrt(m^2 s)] sqrt(2 kT alpha), sqrt(2 kT (alpha + beta)) - sqrt(2 kT alpha)
+  base::RandomKey key;
+
+  static Slot<ThermalNoise> choose(const scene::Scene& scene, const Scales<D>& scales, const base::RandomKey& key) {
+    if (!scene.effects.thermal_noise) return Absent{};
+    const double alpha = friction_alpha<D>(scales.viscosity, scales.bulk_viscosity);
+    const double beta = friction_beta<D>(scales.viscosity, scales.bulk_viscosity);
+    const double across = std::sqrt(2.0 * scales.thermal_energy * alpha);
+    return ThermalNoise{across, std::sqrt(2.0 * scales.thermal_energy * (alpha + beta)) - across, key};
+  }
+
+  void limits(const Scales<D>& scales, std::vector<StepLimit>& list) const {
+    if (!(scales.thermal_energy > 0.0)) return;
+    list.push_back({name, most_friction / scales.friction, "0.25/gamma, gamma the pair friction rate: kT within 1 %"});
+  }
+
+  // Adds the impulse per root of time [N/m^(3-D) sqrt(s)] of the pair in one lane.
+  void add(const ForcePair<D>& pair, int lane, std::uint64_t step, std::uint32_t id_i, std::uint32_t id_j,
+           double (&impulse)[D]) const {
+    const bool first = id_i < id_j;
+    base::RandomSequence random(key, base::Stream::thermal_noise, step, first ? id_i : id_j, first ? id_j : id_i);
+    double xi[D], projected = 0.0;
+    for (int a = 0; a < D; ++a) {
+      xi[a] = root_twelve * ((double(random()) + 0.5) * 0x1p-32 - 0.5);
+      projected += xi[a] * pair.x[a][lane];
+    }
+    const double common = std::sqrt(pair.V_i * pair.V_j[lane] * pair.F[lane] * pair.s[lane]);
+    const double size = first ? common : -common;
+    const double radial = along * (projected / pair.r2[lane]);
+    for (int a = 0; a < D; ++a) impulse[a] += size * (across * xi[a] + radial * pair.x[a][lane]);
+  }
+};
+
+}  // namespace shmoo::hydro

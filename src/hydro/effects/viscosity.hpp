@@ -1,0 +1,38 @@
+#pragma once
+// SDPD viscosity: pair friction -[a v_ij + b e (e.v_ij)], a = alpha V_i V_j F s_ij, b = beta V_i V_j F s_ij (Espanol &
+// Revenga 2003, Eq. 58, in D dimensions). s_ij = (s_i + s_j)/2 scales the second moment of the neighbours to its exact
+// value, 1/s_i = (1/D) sum_j V_j F_ij r_ij^2.
+#include "hydro/effects/absent.hpp"
+#include "hydro/effects/pair.hpp"
+#include "hydro/scales.hpp"
+
+namespace shmoo::hydro {
+
+template <int D>
+struct Viscosity {
+  static constexpr const char* name = "viscosity";
+
+  double alpha = 0, beta = 0;  // [Pa s]
+
+  static Slot<Viscosity> choose(const scene::Scene& scene, const Scales<D>& scales) {
+    if (!scene.effects.viscosity) return Absent{};
+    return Viscosity{friction_alpha<D>(scales.viscosity, scales.bulk_viscosity),
+                     friction_beta<D>(scales.viscosity, scales.bulk_viscosity)};
+  }
+
+  void limits(const Scales<D>& scales, std::vector<StepLimit>& list) const {
+    const double nu = (scales.viscosity + scales.bulk_viscosity) / scales.density;
+    if (!(nu > 0.0)) return;
+    list.push_back({name, 0.125 * scales.smoothing * scales.smoothing / nu, "0.125 hs^2/nu"});
+  }
+
+  void add(const ForcePair<D>& pair, Lane (&force)[D]) const {
+    const Lane common = pair.V_i * pair.V_j * pair.F * pair.s;
+    Lane along = pair.x[0] * pair.v[0];
+    for (int a = 1; a < D; ++a) along += pair.x[a] * pair.v[a];
+    const Lane radial = beta * (along / (pair.r2 + 1e-300));  // the particle with itself: 0/1e-300
+    for (int a = 0; a < D; ++a) force[a] -= common * (alpha * pair.v[a] + radial * pair.x[a]);
+  }
+};
+
+}  // namespace shmoo::hydro

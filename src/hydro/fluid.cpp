@@ -1,0 +1,217 @@
+#include "hydro/fluid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "hydro/density_sweep.hpp"
+#include "hydro/force_sweep.hpp"
+#include "hydro/initial_velocity.hpp"
+
+namespace shmoo::hydro {
+namespace {
+
+constexpr double most_movement = 0.25;  // [spacings] of any particle in one step
+
+}  // namespace
+
+template <int D>
+Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
+    : state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
+      kernel_(sph::make_kernel<D>(scene.numerics.kernel, state_.scales.reach)),
+      walls_(scene) {}
+
+template <int D>
+Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D> filling, const base::RandomKey& key)
+    : Fluid(scene, std::move(filling), Bare{}) {
+  effects_ = Effects<D>::choose(scene, state_.scales, key);
+  initialise(scene);
+}
+
+template <int D>
+Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D> filling, Effects<D> effects)
+    : Fluid(scene, std::move(filling), Bare{}) {
+  effects_ = std::move(effects);
+  initialise(scene);
+}
+
+template <int D>
+void Fluid<D>::initialise(const scene::Scene& scene) {
+  effects_.require_columns(state_);
+  auto& particles = state_.particles;
+  const InitialVelocity<D> initial(scene);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    state_.density[i] = state_.scales.density;
+    state_.volume[i] = state_.scales.mass / state_.scales.density;
+    state_.pressure[i] = state_.scales.background;
+    if (particles.role[i] == sph::Role::fluid) state_.velocity[i] = initial(particles.position[i]);
+  }
+  walls_.prepare(state_);
+  find_step();
+  restart();
+}
+
+template <int D>
+void Fluid<D>::find_step() {
+  list_base_limits(state_.scales, limits_);
+  effects_.limits(state_.scales, limits_);
+  const auto smallest = std::min_element(limits_.begin(), limits_.end(),
+                                         [](const StepLimit& a, const StepLimit& b) { return a.value < b.value; });
+  dt_ = smallest->value;
+  for (const auto& limit : limits_) derived_.push_back({"step limit, " + limit.name, limit.value, "s", limit.why});
+  derived_.push_back({"time step", dt_, "s", "set by: " + smallest->name});
+  for (const auto& effect : effects_.body) effect->describe(derived_);
+}
+
+template <int D>
+void Fluid<D>::restart() {
+  auto& particles = state_.particles;
+  fastest_ = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.role[i] != sph::Role::fluid) continue;
+    particles.position[i] = state_.box.wrap(particles.position[i]);
+    state_.volume[i] = state_.scales.mass / state_.density[i];
+    state_.pressure[i] = state_.scales.pressure(state_.density[i]);
+    fastest_ = std::max(fastest_, state_.velocity[i].squaredNorm());
+  }
+  fastest_ = std::sqrt(fastest_);
+  state_.rows.build(particles);
+  last_dt_ = dt_;
+  evaluate(0.0);
+}
+
+template <int D>
+double Fluid<D>::step_limit() const {
+  const double movement = most_movement * state_.scales.spacing;
+  return fastest_ * dt_ > movement ? movement / fastest_ : dt_;
+}
+
+template <int D>
+void Fluid<D>::advance(double until) {
+  while (time_ < until) {
+    const double rest = until - time_;
+    const double steps = std::ceil(rest / step_limit() * (1.0 - 1e-9));
+    step(rest / std::max(steps, 1.0));
+    if (steps <= 1.0) time_ = until;
+  }
+}
+
+// One step: half a kick, a drift, new rates and forces at the new positions (with the half-step velocities, so that
+// each pair is visited once a step in either sweep), half a kick, and what crossed a wall is thrown back.
+template <int D>
+void Fluid<D>::step(double dt) {
+  const double root = std::sqrt(dt);
+  kick(dt, 0.5 * (root + std::sqrt(last_dt_)));
+  last_dt_ = dt;
+  drift(dt);
+  walls_.carry(state_, time_, dt);
+  time_ += dt;
+  ++steps_;
+  if (state_.rows.outdated(state_.particles.position.values())) state_.rows.build(state_.particles);
+  evaluate(dt);
+  kick(dt, root);
+  if (effects_.bounce_back) bounces_ += effects_.bounce_back->apply(state_, kernel_);
+  check();
+}
+
+template <int D>
+void Fluid<D>::evaluate(double dt) {
+  const double next = dt > 0.0 ? dt : dt_;
+  walls_.extrapolate_velocity(state_, kernel_);
+  sweep_density(state_, kernel_, effects_, dt, next);
+  update_density();
+  walls_.extrapolate_pressure(state_, time_);
+  draws_ += sweep_forces(state_, effects_, evaluations_++);
+  const BodyView<D> view{state_.particles.position.values(), state_.velocity.values(), state_.acceleration.values(),
+                         next};
+  for (const auto& effect : effects_.body) effect->apply(view, state_.rows.fluid());
+}
+
+template <int D>
+void Fluid<D>::update_density() {
+  const auto& fluid = state_.rows.fluid();
+#pragma omp parallel for schedule(static)
+  for (std::size_t n = 0; n < fluid.size(); ++n) {
+    const std::size_t i = fluid[n];
+    state_.density[i] = state_.next_density[i];
+    state_.volume[i] = state_.scales.mass / state_.density[i];
+    state_.pressure[i] = state_.scales.pressure(state_.density[i]);
+  }
+}
+
+// Half a step of acceleration. The noise of an evaluation acts in two halves, one before and one after the velocity is
+// seen: so the seen velocity has the exact temperature for any friction (each is the mean of two leapfrog velocities).
+template <int D>
+void Fluid<D>::kick(double dt, double root) {
+  const auto& fluid = state_.rows.fluid();
+  double fastest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : fastest)
+  for (std::size_t n = 0; n < fluid.size(); ++n) {
+    const std::size_t i = fluid[n];
+    Vec v = state_.velocity[i] + 0.5 * dt * state_.acceleration[i];
+    if (state_.noise) v += 0.5 * root * (*state_.noise)[i];
+    state_.velocity[i] = v;
+    const double speed2 = v.squaredNorm();
+    fastest = speed2 >= 0.0 ? std::max(fastest, speed2) : std::numeric_limits<double>::infinity();
+  }
+  fastest_ = std::sqrt(fastest);
+}
+
+template <int D>
+void Fluid<D>::drift(double dt) {
+  const auto& fluid = state_.rows.fluid();
+#pragma omp parallel for schedule(static)
+  for (std::size_t n = 0; n < fluid.size(); ++n) {
+    const std::size_t i = fluid[n];
+    Vec transport = state_.velocity[i];
+    if (state_.shift) transport += (*state_.shift)[i];
+    state_.particles.position[i] = state_.box.wrap(state_.particles.position[i] + dt * transport);
+    if (state_.mean_velocity) (*state_.mean_velocity)[i] += dt * state_.velocity[i];
+    if (state_.mean_shift) (*state_.mean_shift)[i] += dt * (*state_.shift)[i];
+  }
+  interval_ += dt;
+}
+
+template <int D>
+void Fluid<D>::check() const {
+  if (fastest_ < 100.0 * (state_.scales.sound_speed + state_.scales.speed)) return;
+  throw base::RunError(
+      fmt::format("the flow blew up at t = {:g} s, step {}: the fastest particle has {:g} m/s, the speed of "
+                  "sound is {:g} m/s. Give a larger flow.reference_speed, a smaller numerics.courant, or a "
+                  "smaller spacing.",
+                  time_, steps_, fastest_, state_.scales.sound_speed));
+}
+
+template <int D>
+void Fluid<D>::begin_interval() {
+  interval_ = 0.0;
+  state_.mean_velocity = &state_.particles.template require<Vec>("mean_velocity", "m");
+  if (state_.shift) state_.mean_shift = &state_.particles.template require<Vec>("mean_shift", "m");
+  for (auto* column : {state_.mean_velocity, state_.mean_shift}) {
+    if (column) std::fill(column->values().begin(), column->values().end(), Vec(Vec::Zero()));
+  }
+}
+
+template <int D>
+base::Vec<D> Fluid<D>::mean_velocity(std::size_t index) const {
+  if (!(interval_ > 0.0) || !state_.mean_velocity) return Vec::Zero();
+  return (*state_.mean_velocity)[index] / interval_;
+}
+
+template <int D>
+base::Vec<D> Fluid<D>::mean_shift(std::size_t index) const {
+  if (!(interval_ > 0.0) || !state_.mean_shift) return Vec::Zero();
+  return (*state_.mean_shift)[index] / interval_;
+}
+
+template <int D>
+base::Vec<D> Fluid<D>::velocity(std::size_t index) const {
+  return state_.particles.role[index] == sph::Role::fluid ? state_.velocity[index] : (*state_.wall_velocity)[index];
+}
+
+template class Fluid<2>;
+template class Fluid<3>;
+
+}  // namespace shmoo::hydro

@@ -1,0 +1,240 @@
+#include "hydro/scales.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "hydro/initial_velocity.hpp"
+#include "hydro/wall_motion.hpp"
+#include "sph/kernel.hpp"
+
+namespace shmoo::hydro {
+namespace {
+
+template <int D>
+base::Vec<D> vector_of(const scene::Point& point) {
+  base::Vec<D> v;
+  for (int a = 0; a < D; ++a) v[a] = point[a];
+  return v;
+}
+
+bool is_periodic(const scene::Scene& scene, int axis) {
+  return scene.domain.sides[std::size_t(axis)][0].type == scene::SideType::periodic;
+}
+
+double extent(const scene::Scene& scene, int axis) {
+  return scene.domain.upper[std::size_t(axis)] - scene.domain.lower[std::size_t(axis)];
+}
+
+// The one fluid of the scene: every fluid material must have the same properties.
+const scene::Material& only_fluid(const scene::Scene& scene) {
+  const scene::Material* fluid = nullptr;
+  for (const auto& material : scene.materials) {
+    if (material.type != scene::MaterialType::fluid) continue;
+    if (fluid == nullptr) fluid = &material;
+    if (material.density != fluid->density || material.viscosity != fluid->viscosity ||
+        material.bulk_viscosity != fluid->bulk_viscosity) {
+      throw base::InputError(
+          fmt::format("the fluids '{}' and '{}' differ in density or viscosity; a flow has one fluid: give "
+                      "all fluid materials the same values",
+                      fluid->name, material.name));
+    }
+  }
+  if (fluid == nullptr)
+    throw base::InputError("effects.flow is on but no material is a fluid; add one or turn the flow off");
+  if (!(fluid->density > 0.0)) {
+    throw base::InputError(fmt::format("fluid '{}' has no density; a flow needs a positive one", fluid->name));
+  }
+  return *fluid;
+}
+
+// The smallest extent between walls, or of the domain where there are none.
+template <int D>
+double default_length(const scene::Scene& scene) {
+  double walled = std::numeric_limits<double>::infinity(), any = walled;
+  for (int a = 0; a < D; ++a) {
+    any = std::min(any, extent(scene, a));
+    if (!is_periodic(scene, a)) walled = std::min(walled, extent(scene, a));
+  }
+  return std::isfinite(walled) ? walled : any;
+}
+
+// The speed to which a body force drives the fluid: the laminar channel's f L^2/(8 nu) where it acts along periodic
+// axes between walls, else that of a free fall over the domain.
+template <int D>
+double force_speed(const scene::Scene& scene, const Scales<D>& scales) {
+  double along_periodic = 0.0, fall = 0.0;
+  bool walls = false;
+  for (int a = 0; a < D; ++a) {
+    walls = walls || !is_periodic(scene, a);
+    if (is_periodic(scene, a))
+      along_periodic += std::abs(scales.body_force[a]);
+    else
+      fall += std::abs(scales.body_force[a]) * extent(scene, a);
+  }
+  const double nu = scales.kinematic_viscosity();
+  const double free = std::sqrt(2.0 * along_periodic * scales.length);
+  const double channel = walls && nu > 0.0 ? along_periodic * scales.length * scales.length / (8.0 * nu) : free;
+  return std::max(channel, std::sqrt(2.0 * fall));
+}
+
+struct Candidate {
+  double speed;
+  const char* why;
+};
+
+template <int D>
+Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& filling, const Scales<D>& scales) {
+  if (scene.flow.reference_speed) return {*scene.flow.reference_speed, "flow.reference_speed"};
+  Candidate best{0.0, "nothing moves"};
+  const auto offer = [&](double speed, const char* why) {
+    if (speed > best.speed) best = {speed, why};
+  };
+  for (const auto& inflow : scene.inflows) {
+    if (inflow.velocity) offer(vector_of<D>(*inflow.velocity).norm(), "largest inflow velocity");
+  }
+  const WallMotion<D> motion(scene);
+  for (std::size_t i = 0; i < filling.particles.size(); ++i) {
+    if (filling.particles.role[i] == sph::Role::fluid) continue;
+    offer(motion.surface_velocity(filling.particles.material[i], filling.particles.position[i], 0.0).norm(),
+          "largest wall velocity");
+  }
+  const InitialVelocity<D> initial(scene);
+  for (std::size_t i = 0; i < filling.voxels; ++i) {
+    if (filling.particles.role[i] != sph::Role::fluid) continue;
+    offer(initial(filling.particles.position[i]).norm(), "largest initial velocity");
+  }
+  offer(force_speed<D>(scene, scales), "speed that the body force drives");
+  if (scales.thermal_energy > 0.0) {
+    offer(std::sqrt(D * scales.thermal_energy / scales.mass), "thermal velocity sqrt(D kT/m)");
+  }
+  return best;
+}
+
+template <int D>
+void derive_sound(const scene::Scene& scene, Scales<D>& scales, std::vector<Derived>& derived) {
+  const double U = scales.speed, L = scales.length, nu = scales.kinematic_viscosity();
+  double force = 0.0;
+  for (int a = 0; a < D; ++a) force += std::abs(scales.body_force[a]) * (is_periodic(scene, a) ? L : extent(scene, a));
+  const double terms[] = {U * U, nu * U / L, force};
+  const char* names[] = {"U^2", "nu U/L", "|f| L"};
+  const auto largest = std::size_t(std::max_element(terms, terms + 3) - terms);
+  std::string why;
+  if (scene.flow.sound_speed) {
+    scales.sound_speed = *scene.flow.sound_speed;
+    why = "flow.sound_speed";
+  } else {
+    scales.sound_speed = std::sqrt(terms[largest] / scene.flow.density_variation);
+    why = fmt::format("sqrt({}/{:g}), the largest of U^2, nu U/L, |f| L over the allowed density variation",
+                      names[largest], scene.flow.density_variation);
+  }
+  if (!(scales.sound_speed > 0.0)) {
+    throw base::InputError(
+        "nothing in this scene sets the flow in motion, so no speed of sound can be derived; give "
+        "flow.reference_speed, or turn effects.flow off");
+  }
+  derived.push_back({"sound speed", scales.sound_speed, "m/s", why});
+}
+
+template <int D>
+void derive_noise(const scene::Scene& scene, Scales<D>& scales) {
+  if (!scene.effects.thermal_noise) return;
+  if (!scene.flow.thermal_energy)
+    throw base::InputError("effects.thermal_noise is on but the scene has no temperature");
+  if (!scene.effects.viscosity) {
+    throw base::InputError(
+        "effects.thermal_noise needs effects.viscosity: without friction nothing balances the noise");
+  }
+  scales.thermal_energy = *scene.flow.thermal_energy / scales.depth;
+  const double alpha = friction_alpha<D>(scales.viscosity, scales.bulk_viscosity);
+  if (alpha >= 0.0) return;
+  throw base::InputError(
+      fmt::format("bulk viscosity {:g} Pa s is too large for thermal noise; at most {:g} Pa s is allowed "
+                  "for this shear viscosity",
+                  scales.bulk_viscosity, scales.viscosity * (D + 2) / D));
+}
+
+// Sums over the starting lattice: gamma = (alpha + beta/D) sum_j V_j F_ij/rho, and sum_j W_ij.
+template <int D>
+void sum_lattice(const scene::Scene& scene, Scales<D>& scales) {
+  const auto kernel = sph::make_kernel<D>(scene.numerics.kernel, scales.reach);
+  const int most = static_cast<int>(std::ceil(scene.numerics.reach));
+  const int depth = D == 3 ? most : 0;
+  double F = 0.0, W = 0.0;
+  for (int k = -depth; k <= depth; ++k) {
+    for (int j = -most; j <= most; ++j) {
+      for (int i = -most; i <= most; ++i) {
+        const double r = scales.spacing * std::sqrt(double(i * i + j * j + k * k));
+        W += std::visit([&](const auto& each) { return each.W(r); }, kernel);
+        if (r > 0.0) F += std::visit([&](const auto& each) { return each.F(r); }, kernel);
+      }
+    }
+  }
+  const double alpha = friction_alpha<D>(scales.viscosity, scales.bulk_viscosity);
+  const double beta = friction_beta<D>(scales.viscosity, scales.bulk_viscosity);
+  scales.friction = (alpha + beta / D) * F * std::pow(scales.spacing, D) / scales.density;
+  scales.lattice_sum = W;
+}
+
+template <int D>
+void refuse_small_box(const scene::Scene& scene, const Scales<D>& scales) {
+  for (int a = 0; a < D; ++a) {
+    if (!is_periodic(scene, a) || extent(scene, a) > 1.999999 * scales.reach) continue;
+    throw base::InputError(
+        fmt::format("the periodic extent {:g} m along axis {} is smaller than twice the kernel's reach of "
+                    "{:g} m; make the domain larger or the spacing smaller",
+                    extent(scene, a), "xyz"[a], scales.reach));
+  }
+}
+
+}  // namespace
+
+template <int D>
+Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& filling, std::vector<Derived>& derived) {
+  if (scene.dimension != D) throw std::logic_error("derive_scales: dimension of scene and flow differ");
+  const auto& fluid = only_fluid(scene);
+  Scales<D> scales;
+  scales.spacing = std::pow(filling.cell, 1.0 / D);
+  scales.reach = scene.numerics.reach * scales.spacing;
+  scales.smoothing = 0.5 * scales.reach;
+  scales.density = fluid.density;
+  if (scene.effects.viscosity) {
+    scales.viscosity = fluid.viscosity;
+    scales.bulk_viscosity = fluid.bulk_viscosity;
+  }
+  scales.mass = fluid.density * filling.cell;
+  scales.depth = D == 2 ? scene.depth : 1.0;
+  scales.background = scene.flow.background_pressure;
+  scales.courant = scene.numerics.courant;
+  if (scene.flow.body_force) scales.body_force = vector_of<D>(*scene.flow.body_force);
+  scales.length = scene.flow.reference_length.value_or(default_length<D>(scene));
+  refuse_small_box<D>(scene, scales);
+  derive_noise<D>(scene, scales);
+  const auto [speed, speed_why] = largest_speed<D>(scene, filling, scales);
+  scales.speed = speed;
+  derived.push_back({"reference speed", scales.speed, "m/s", speed_why});
+  derived.push_back(
+      {"reference length", scales.length, "m",
+       scene.flow.reference_length ? "flow.reference_length" : "smallest extent between walls, or of the domain"});
+  derive_sound<D>(scene, scales, derived);
+  sum_lattice<D>(scene, scales);
+  derived.push_back({"smoothing length", scales.smoothing, "m", "half the kernel's reach"});
+  derived.push_back({"particle mass", scales.mass * scales.depth, "kg", "density times what one particle fills"});
+  return scales;
+}
+
+template <int D>
+void list_base_limits(const Scales<D>& scales, std::vector<StepLimit>& limits) {
+  limits.push_back({"acoustic", scales.courant * scales.smoothing / (scales.sound_speed + scales.speed),
+                    fmt::format("{:g} hs/(c0 + U)", scales.courant)});
+}
+
+template Scales<2> derive_scales(const scene::Scene&, const sph::Filling<2>&, std::vector<Derived>&);
+template Scales<3> derive_scales(const scene::Scene&, const sph::Filling<3>&, std::vector<Derived>&);
+template void list_base_limits(const Scales<2>&, std::vector<StepLimit>&);
+template void list_base_limits(const Scales<3>&, std::vector<StepLimit>&);
+
+}  // namespace shmoo::hydro

@@ -1,0 +1,48 @@
+#pragma once
+// How solid materials move: rigid motions that carry particles along, and surfaces that slide while their particles
+// stay. The centre of a rotation travels with the motion's velocity.
+#include <vector>
+
+#include "base/vec.hpp"
+#include "scene/scene.hpp"
+
+namespace shmoo::hydro {
+
+template <int D>
+class WallMotion {
+ public:
+  using Vec = base::Vec<D>;
+
+  explicit WallMotion(const scene::Scene& scene);
+
+  bool any_moves() const { return any_moves_; }
+  bool moves(std::size_t material) const { return entries_[material].moves; }
+
+  // Velocity [m/s] of a surface of this material at x and time t [s]: that of its particles plus what slides.
+  Vec surface_velocity(std::size_t material, const Vec& x, double t) const;
+  // Acceleration [m/s^2] of a particle carried along at x.
+  Vec acceleration(std::size_t material, const Vec& x, double t) const;
+  // Where a particle at x and time t is carried in dt.
+  Vec carry(std::size_t material, const Vec& x, double t, double dt) const;
+
+ private:
+  struct Rigid {
+    Vec velocity = Vec::Zero(), center = Vec::Zero();
+    base::Vec<3> spin = base::Vec<3>::Zero();
+    Vec at(const Vec& x, double t) const;  // velocity
+    Vec spin_cross(const Vec& r) const;
+  };
+  struct Entry {
+    bool moves = false;
+    Rigid motion, surface;
+  };
+  static Rigid rigid(const scene::RigidMotion& motion);
+
+  std::vector<Entry> entries_;  // by material, side materials included
+  bool any_moves_ = false;
+};
+
+extern template class WallMotion<2>;
+extern template class WallMotion<3>;
+
+}  // namespace shmoo::hydro

@@ -1,0 +1,94 @@
+#include "hydro/walls.hpp"
+
+#include <cmath>
+
+namespace shmoo::hydro {
+
+template <int D>
+void Walls<D>::prepare(State<D>& state) const {
+  auto& particles = state.particles;
+  bool any = false;
+  for (std::size_t i = 0; i < particles.size(); ++i) any = any || particles.role[i] != sph::Role::fluid;
+  if (!any) return;
+  state.wall_velocity = &particles.template require<base::Vec<D>>("wall_velocity", "m/s");
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.role[i] == sph::Role::fluid) continue;
+    if (state.scaling) (*state.scaling)[i] = 1.0;
+    (*state.wall_velocity)[i] = motion_.surface_velocity(particles.material[i], particles.position[i], 0.0);
+    state.velocity[i] = (*state.wall_velocity)[i];
+  }
+}
+
+template <int D>
+void Walls<D>::carry(State<D>& state, double t, double dt) const {
+  if (!motion_.any_moves()) return;
+  auto& particles = state.particles;
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.role[i] == sph::Role::fluid || !motion_.moves(particles.material[i])) continue;
+    const auto material = particles.material[i];
+    particles.position[i] = motion_.carry(material, particles.position[i], t, dt);
+    (*state.wall_velocity)[i] = motion_.surface_velocity(material, particles.position[i], t + dt);
+    particles.position[i] = state.box.wrap(particles.position[i]);
+  }
+}
+
+template <int D>
+void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& any_kernel) const {
+  const auto& solid = state.rows.solid();
+  std::visit(
+      [&](const auto& kernel) {
+#pragma omp parallel for schedule(static)
+        for (std::size_t n = 0; n < solid.size(); ++n) {
+          const std::size_t i = solid[n];
+          double sum = 0.0;
+          base::Vec<D> v = base::Vec<D>::Zero();
+          const std::uint64_t first = state.rows.first(i);
+          for (std::uint64_t p = first; p < first + state.rows.count(i); ++p) {
+            const auto j = std::size_t(state.rows.partner()[p]);
+            const double W = kernel.W(state.separation(i, j).norm());
+            state.rows.weight[p] = W;
+            sum += W;
+            v += W * state.velocity[j];
+          }
+          const base::Vec<D>& wall = (*state.wall_velocity)[i];
+          state.velocity[i] = sum > 0.0 ? base::Vec<D>(2.0 * wall - v / sum) : wall;
+        }
+      },
+      any_kernel);
+}
+
+template <int D>
+void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
+  const auto& solid = state.rows.solid();
+  const auto& scales = state.scales;
+  const double c2 = scales.sound_speed * scales.sound_speed;
+#pragma omp parallel for schedule(static)
+  for (std::size_t n = 0; n < solid.size(); ++n) {
+    const std::size_t i = solid[n];
+    double sum = 0.0, p_sum = 0.0;
+    base::Vec<D> lever = base::Vec<D>::Zero();
+    const std::uint64_t first = state.rows.first(i);
+    for (std::uint64_t p = first; p < first + state.rows.count(i); ++p) {
+      const auto j = std::size_t(state.rows.partner()[p]);
+      const double W = state.rows.weight[p];
+      sum += W;
+      p_sum += W * state.pressure[j];
+      lever += W * state.density[j] * state.separation(i, j);
+    }
+    double pressure = scales.background;
+    if (sum > 0.0) {
+      const auto material = state.particles.material[i];
+      const base::Vec<D> f = scales.body_force - motion_.acceleration(material, state.particles.position[i], t);
+      pressure = (p_sum + f.dot(lever)) / sum;
+    }
+    state.pressure[i] = pressure;
+    state.density[i] = scales.density + (pressure - scales.background) / c2;
+    state.volume[i] = scales.mass / state.density[i];
+  }
+}
+
+template class Walls<2>;
+template class Walls<3>;
+
+}  // namespace shmoo::hydro

@@ -111,6 +111,8 @@ class UnitSystem {
     const Unit molecules(ut_multiply(molecule_.get(), per_cubic_metre.get()));
     molar_.reset(ut_scale(1000 * avogadro, molecules.get()));
     ut_map_symbol_to_unit("M", UT_ASCII, molar_.get());
+    poise_.reset(ut_parse(system_, "0.1 Pa s", UT_ASCII));
+    ut_map_symbol_to_unit("P", UT_ASCII, poise_.get());  // for cP; the database knows the name only
     ut_map_name_to_unit("molar", UT_ASCII, molar_.get());
   }
 
@@ -118,7 +120,7 @@ class UnitSystem {
 
  private:
   ut_system* system_ = nullptr;
-  Unit molecule_, mole_, molar_;
+  Unit molecule_, mole_, molar_, poise_;
 };
 
 Measured in_si(double number, const std::string& unit_text) {

@@ -1,48 +1,47 @@
 #include "rdme/expression.hpp"
 
 #include <fmt/format.h>
-#include <muParser.h>
 
 #include "base/error.hpp"
 
 namespace shmoo::rdme {
 namespace {
 
-constexpr const char* coordinates[] = {"x", "y", "z", "t"};
+std::vector<std::string> all_names(const ExpressionNames& names) {
+  std::vector<std::string> all{"x", "y", "z", "t"};
+  for (const auto& [name, value] : names.parameters) all.push_back(name);
+  for (const std::string& name : names.species) {
+    if (scene::is_identifier(name)) all.push_back(name);
+  }
+  return all;
+}
+
+scene::Expression compile(const std::string& text, const ExpressionNames& names) {
+  try {
+    return {text, all_names(names)};
+  } catch (const scene::ExpressionError& error) {
+    throw base::InputError(fmt::format("the expression '{}' cannot be used: {}", text, error.what()));
+  }
+}
 
 }  // namespace
 
 Expression::Expression(const std::string& text, const ExpressionNames& names)
-    : parser_(std::make_unique<mu::Parser>()), variables_(4 + names.species.size(), 0.0) {
-  try {
-    for (int i = 0; i < 4; ++i) parser_->DefineVar(coordinates[i], &variables_[i]);
-    for (std::size_t s = 0; s < names.species.size(); ++s) parser_->DefineVar(names.species[s], &variables_[4 + s]);
-    for (const auto& [name, value] : names.parameters) parser_->DefineConst(name, value);
-    parser_->SetExpr(text);
-    const auto used = parser_->GetUsedVar();
-    reads_time_ = used.contains("t");
-    for (std::size_t s = 0; s < names.species.size(); ++s) {
-      if (used.contains(names.species[s])) reads_.push_back(static_cast<int>(s));
-    }
-    parser_->Eval();
-  } catch (const mu::Parser::exception_type& error) {
-    throw base::InputError(
-        fmt::format("the expression '{}' cannot be used: {}. It may read x, y, z, t, the parameters and "
-                    "the species by name.",
-                    text, error.GetMsg()));
+    : values_(4, 0.0), place_(names.species.size(), 0), formula_(compile(text, names)) {
+  for (const auto& [name, value] : names.parameters) values_.push_back(value);
+  for (std::size_t s = 0; s < names.species.size(); ++s) {
+    if (!scene::is_identifier(names.species[s])) continue;
+    place_[s] = values_.size();
+    values_.push_back(0.0);
+    if (formula_.uses(place_[s])) reads_.push_back(static_cast<int>(s));
   }
+  reads_time_ = formula_.uses(3);
 }
-
-Expression::~Expression() = default;
-Expression::Expression(Expression&&) noexcept = default;
-Expression& Expression::operator=(Expression&&) noexcept = default;
 
 void Expression::set_position(double x, double y, double z) {
-  variables_[0] = x;
-  variables_[1] = y;
-  variables_[2] = z;
+  values_[0] = x;
+  values_[1] = y;
+  values_[2] = z;
 }
-
-double Expression::value() const { return parser_->Eval(); }
 
 }  // namespace shmoo::rdme

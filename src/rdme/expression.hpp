@@ -1,18 +1,16 @@
 #pragma once
-// Expressions over species concentrations, parameters, position and time, compiled once and evaluated many times
-// (muParser). An object is not thread safe: each sampler, solver and thread holds its own.
-#include <memory>
+// A formula over species concentrations, parameters, position and time, bound to its values. One object per sampler,
+// solver and thread.
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace mu {
-class Parser;
-}
+#include "scene/expression.hpp"
 
 namespace shmoo::rdme {
 
-// Names an expression may read besides x, y, z [m] and t [s]: parameters (constants, SI) and species (by index).
+// Names that an expression may read besides x, y, z [m] and t [s]: parameters (constants, SI) and species (by index;
+// those whose name is no identifier cannot be read).
 struct ExpressionNames {
   std::vector<std::pair<std::string, double>> parameters;
   std::vector<std::string> species;
@@ -20,25 +18,23 @@ struct ExpressionNames {
 
 class Expression {
  public:
-  // Throws base::InputError: what is wrong with the text and where in it.
+  // Throws base::InputError: what is wrong with the text.
   Expression(const std::string& text, const ExpressionNames& names);
-  ~Expression();
-  Expression(Expression&&) noexcept;
-  Expression& operator=(Expression&&) noexcept;
 
   const std::vector<int>& reads() const { return reads_; }  // species, ascending
   bool reads_time() const { return reads_time_; }
 
   // Set what is read, then take the value. Concentrations in [molecules/m^3], by species.
-  void set_concentration(int species, double value) { variables_[4 + species] = value; }
+  void set_concentration(int species, double value) { values_[place_[species]] = value; }
   void set_position(double x, double y, double z);  // [m]
-  void set_time(double t) { variables_[3] = t; }    // [s]
-  double time() const { return variables_[3]; }
-  double value() const;
+  void set_time(double t) { values_[3] = t; }       // [s]
+  double time() const { return values_[3]; }
+  double value() const { return formula_(values_); }
 
  private:
-  std::unique_ptr<mu::Parser> parser_;
-  std::vector<double> variables_;  // x, y, z, t, then one per species; never resized, the parser points into it
+  std::vector<double> values_;      // x, y, z, t, parameters, species
+  std::vector<std::size_t> place_;  // by species
+  scene::Expression formula_;
   std::vector<int> reads_;
   bool reads_time_ = false;
 };

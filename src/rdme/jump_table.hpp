@@ -1,9 +1,14 @@
 #pragma once
 // Where a molecule goes: one row of cumulative probabilities per voxel, searched many entries at a time.
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
+
+#ifdef __AVX512VL__
+#include <immintrin.h>
+#endif
 
 #include "rdme/network.hpp"
 #include "rdme/voxels.hpp"
@@ -27,21 +32,30 @@ class JumpTable {
 
   // Where a molecule of `voxel` goes, by a uniform random word. The row must not be empty.
   std::uint32_t target(std::size_t voxel, std::uint32_t word) const {
-    const Block* block = blocks_.data() + first_[voxel];
-    const Block* const last = blocks_.data() + first_[voxel + 1] - 1;
-    std::uint32_t k = below(*block, word);
-    while (k == 8 && block != last) k = below(*++block, word);
-    return block->target[k];
+    const Block* const block = blocks_.data() + first_[voxel];
+    const std::uint32_t size = first_[voxel + 1] - first_[voxel];
+    std::uint32_t k = 0;
+    for (std::uint32_t b = 0; b < size; ++b) k += below(block[b], word);
+    return block[k / 8].target[k % 8];
   }
 
+  std::span<const Block> row(std::size_t voxel) const {
+    return {blocks_.data() + first_[voxel], blocks_.data() + first_[voxel + 1]};
+  }
   bool empty(std::size_t voxel) const { return first_[voxel] == first_[voxel + 1]; }
   void prefetch(std::size_t voxel) const { __builtin_prefetch(blocks_.data() + first_[voxel]); }
 
  private:
   static std::uint32_t below(const Block& block, std::uint32_t word) {
+#ifdef __AVX512VL__
+    const __m256i thresholds = _mm256_load_si256(reinterpret_cast<const __m256i*>(block.threshold));
+    return static_cast<std::uint32_t>(
+        std::popcount(_mm256_cmplt_epu32_mask(thresholds, _mm256_set1_epi32(static_cast<int>(word)))));
+#else
     std::uint32_t k = 0;
-    for (int i = 0; i < 8; ++i) k += block.threshold[i] < word ? 1U : 0U;
+    for (std::uint32_t threshold : block.threshold) k += threshold < word ? 1U : 0U;
     return k;
+#endif
   }
 
   std::vector<std::uint32_t> first_;

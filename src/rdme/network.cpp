@@ -41,7 +41,7 @@ Network::Network(const scene::Scene& scene)
     }
     if (one.method == scene::SpeciesMethod::deterministic) any_deterministic_ = true;
   }
-  for (const scene::Reaction& reaction : scene.reactions) compile(reaction, scene.materials.size(), mistakes);
+  for (const scene::Reaction& reaction : scene.reactions) compile(reaction, scene.materials, mistakes);
   if (!mistakes.empty()) throw base::InputError(std::move(mistakes));
   sort_by_material(scene.materials.size());
   find_dependencies();
@@ -55,7 +55,8 @@ ExpressionNames expression_names(const Network& network) {
 
 bool Network::lives_in(int species, int material) const { return contains(species_[species].homes, material); }
 
-void Network::compile(const scene::Reaction& from, std::size_t materials, std::vector<base::Diagnostic>& mistakes) {
+void Network::compile(const scene::Reaction& from, const std::vector<scene::Material>& materials,
+                      std::vector<base::Diagnostic>& mistakes) {
   Reaction reaction;
   reaction.name = from.name;
   reaction.reactants = from.reactants;
@@ -88,13 +89,13 @@ void Network::compile(const scene::Reaction& from, std::size_t materials, std::v
   reactions_.push_back(std::move(reaction));
 }
 
-void Network::find_materials(const scene::Reaction& from, std::size_t materials, Reaction& reaction,
-                             std::vector<base::Diagnostic>& mistakes) const {
+void Network::find_materials(const scene::Reaction& from, const std::vector<scene::Material>& materials,
+                             Reaction& reaction, std::vector<base::Diagnostic>& mistakes) const {
   std::set<int> partners(reaction.reads.begin(), reaction.reads.end());
   for (const scene::Term& term : from.products) partners.insert(term.species);
-  reaction.in_material.assign(materials, from.materials.empty());
+  reaction.in_material.assign(materials.size(), from.materials.empty());
   for (int material : from.materials) reaction.in_material[material] = true;
-  for (std::size_t material = 0; material < materials; ++material) {
+  for (std::size_t material = 0; material < materials.size(); ++material) {
     for (int species : partners) {
       if (!reaction.in_material[material] || lives_in(species, static_cast<int>(material))) continue;
       reaction.in_material[material] = false;
@@ -102,7 +103,7 @@ void Network::find_materials(const scene::Reaction& from, std::size_t materials,
       mistakes.push_back({{},
                           fmt::format("reaction {} is asked to run in material {}, where species {} does not live; "
                                       "add the material to the species' homes or take it out of the reaction",
-                                      from.name, material, name(species))});
+                                      from.name, materials[material].name, name(species))});
     }
   }
   if (from.materials.empty() && std::ranges::find(reaction.in_material, true) == reaction.in_material.end()) {

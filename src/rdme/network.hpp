@@ -77,8 +77,9 @@ class Network {
   bool sampled_rates_change_in_time() const { return sampled_time_; }
 
  private:
-  void compile(const scene::Reaction& from, std::size_t materials, std::vector<base::Diagnostic>& mistakes);
-  void find_materials(const scene::Reaction& from, std::size_t materials, Reaction& reaction,
+  void compile(const scene::Reaction& from, const std::vector<scene::Material>& materials,
+               std::vector<base::Diagnostic>& mistakes);
+  void find_materials(const scene::Reaction& from, const std::vector<scene::Material>& materials, Reaction& reaction,
                       std::vector<base::Diagnostic>& mistakes) const;
   void sort_by_material(std::size_t materials);
   void find_dependencies();

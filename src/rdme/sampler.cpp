@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "rdme/samplers/composition_rejection.hpp"
 #include "rdme/samplers/direct.hpp"
+#include "rdme/samplers/split.hpp"
 
 namespace shmoo::rdme {
 
@@ -13,9 +14,9 @@ std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& netw
     case scene::Sampler::composition_rejection:
       return std::make_unique<CompositionRejection>(network);
     case scene::Sampler::split:
-      break;
+      return std::make_unique<Split>(network);
   }
-  throw base::InputError("the sampler 'split' is not in; use 'composition_rejection' or 'direct'");
+  throw base::InputError("unknown sampler");
 }
 
 }  // namespace shmoo::rdme

@@ -69,7 +69,7 @@ void check_flow_data(const Section& root, const Scene& scene, const std::string&
     // The friction across a pair's line is proportional to viscosity - bulk_viscosity/2 (2-D), 5/3 viscosity -
     // bulk_viscosity (3-D); Espanol and Revenga 2003.
     const double limit = (scene.dimension == 2 ? 2.0 : 5.0 / 3.0) * section.quantity("viscosity").value_or(0);
-    if (section.has("viscosity") && section.quantity("bulk_viscosity").value_or(0) > limit)
+    if (section.good("viscosity") && section.quantity("bulk_viscosity").value_or(0) > limit)
       section.error("bulk_viscosity", fmt::format("must not exceed {} times the viscosity in {} dimensions",
                                                   scene.dimension == 2 ? "2" : "5/3", scene.dimension));
   }
@@ -84,6 +84,9 @@ bool has_walls(const Scene& scene) {
   return sides || std::any_of(scene.materials.begin(), scene.materials.end(),
                               [](const Material& material) { return material.type == MaterialType::wall; });
 }
+
+// Below this many spacings the kernel's sums are no longer those of a fluid.
+constexpr double least_reach = 1.5;
 
 void check_requests(const Asked& asked, const Scene& scene) {
   const auto needs = [&](const char* effect, bool given, const char* what) {
@@ -111,6 +114,9 @@ void build_effects(const Section& root, Scene& scene) {
     return;
   }
   check_flow_data(root, scene, why);
+  if (const auto numerics = root.section("numerics"); numerics && scene.numerics.reach < least_reach)
+    numerics->error("reach",
+                    fmt::format("a flow (because of {}) needs a reach of at least {} spacings", why, least_reach));
   check_requests(asked, scene);
   effects.bounce_back = has_walls(scene);
   effects.species_advection = !scene.species.empty();

@@ -13,7 +13,7 @@ namespace shmoo::scene {
 namespace {
 
 constexpr double most_records = 1e6;
-constexpr std::array flow_fields{"position", "velocity", "density", "pressure", "volume"};
+constexpr std::array flow_fields{"position", "velocity", "density", "pressure"};
 
 template <class Enumeration, std::size_t N>
 void read_choice(const Section& section, std::string_view key,
@@ -63,15 +63,17 @@ void read_quantiles(const Section& section, Run& run) {
 }
 
 void read_record(const Section& section, Scene& scene) {
-  std::vector<std::string> known(flow_fields.begin(), flow_fields.end());
+  std::vector<std::string> known;
   for (const auto& species : scene.species) known.push_back(species.name);
+  if (!scene.species.empty()) known.emplace_back("volume");
+  if (scene.effects.flow) known.insert(known.end(), flow_fields.begin(), flow_fields.end());
   for (const auto& [name, node] : section.names("record")) {
     if (std::find(known.begin(), known.end(), name) != known.end()) {
       scene.run.record.push_back(name);
       continue;
     }
     section.error(*node, "record",
-                  fmt::format("no field is called {}{}", quoted(name),
+                  fmt::format("this scene has no field {}{}", quoted(name),
                               suggestion(name, known, fmt::format("fields: {}", base::list_of(known)))));
   }
 }

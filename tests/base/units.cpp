@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
         Example{"+1e3 1/s", 1000, frequency}, Example{"-4 m/s", -4, speed}, Example{"20 degC", 293.15, temperature},
         Example{"180 degrees/s", 3.14159265358979312, frequency}, Example{"1 kat", avogadro, amount / dimensions::time},
         Example{"1 uL", 1e-9, volume}, Example{"2 min", 120, dimensions::time}, Example{"1 h", 3600, dimensions::time},
-        Example{"4.14 pN nm", 4.14e-21, energy}, Example{"5 %", 0.05, none}));
+        Example{"4.14 pN nm", 4.14e-21, energy}, Example{"5 %", 0.05, none}, Example{"1 cP", 1e-3, viscosity},
+        Example{"1 Pa s", 1, viscosity}));
 
 TEST(Units, MoleculesAreExact) {
   for (const double count : {1.0, 3.0, 2000.0, 9007199254740991.0})

@@ -1,6 +1,8 @@
 #pragma once
 // Voxels and networks made by hand, for the tests of the chemistry.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -59,6 +61,32 @@ inline Voxels lattice(std::array<std::uint32_t, 3> n, bool periodic, double volu
   }
   voxels.graphs.push_back(std::move(graph));
   voxels.graph_of_species.assign(species, 0);
+  return voxels;
+}
+
+// n * n disordered voxels, periodic, with the 28 neighbours within three spacings: couplings fall off as a kernel's do
+// and differ from pair to pair; a molecule jumps about once per unit time.
+inline Voxels disordered(std::uint32_t n, std::size_t species) {
+  Voxels voxels = lattice({n, n, 1}, true, 1.0, species);
+  JumpGraph graph;
+  graph.first.push_back(0);
+  const auto unevenness = [](std::uint32_t i, std::uint32_t j) {
+    const std::uint64_t low = std::min(i, j), high = std::max(i, j);
+    return 0.6 + 0.8 * static_cast<double>((low * 2654435761U + high * 40503U) % 1024) / 1024;
+  };
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    for (int dy = -3; dy <= 3; ++dy) {
+      for (int dx = -3; dx <= 3; ++dx) {
+        const double r2 = dx * dx + dy * dy;
+        if (r2 == 0 || r2 > 9) continue;
+        const std::uint32_t j = (i % n + n + dx) % n + n * ((i / n + n + dy) % n);
+        graph.target.push_back(j);
+        graph.coupling.push_back(0.16 * std::pow(1 - std::sqrt(r2) / 3.2, 3) * unevenness(i, j));
+      }
+    }
+    graph.first.push_back(graph.target.size());
+  }
+  voxels.graphs = {std::move(graph)};
   return voxels;
 }
 

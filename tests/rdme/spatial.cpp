@@ -217,8 +217,7 @@ TEST_P(Spatial, SameKeySameBitsAndOtherRealisationsDiffer) {
   EXPECT_NE(counts[0], counts[2]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Method, Spatial,
-                         testing::Values(scene::Sampler::direct, scene::Sampler::composition_rejection), method_name);
+INSTANTIATE_TEST_SUITE_P(Method, Spatial, every_method, method_name);
 
 }  // namespace
 }  // namespace shmoo::rdme

@@ -118,8 +118,7 @@ TEST_P(WellMixed, TimeIsReadInTheMiddleOfAStep) {
   EXPECT_GT(chi_square(trial.sample(x), poisson_law(10 * 0.5 * (0.0625 + 0.5625), 30)), false_alarm);
 }
 
-INSTANTIATE_TEST_SUITE_P(Method, WellMixed,
-                         testing::Values(scene::Sampler::direct, scene::Sampler::composition_rejection), method_name);
+INSTANTIATE_TEST_SUITE_P(Method, WellMixed, every_method, method_name);
 
 }  // namespace
 }  // namespace shmoo::rdme

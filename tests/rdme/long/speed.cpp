@@ -28,33 +28,64 @@ scene::Scene reaction_scene() {
   return scene;
 }
 
-// Events per CPU second over about `events` events in steps of `dt`.
-double rate(scene::Sampler method, const scene::Scene& scene, std::uint32_t n, double dt, double events) {
+struct Speed {
+  double events;  // per CPU second
+  double bind;    // CPU seconds
+};
+
+// Over about `events` events in steps of `dt`.
+Speed measure(scene::Sampler method, const scene::Scene& scene, const Voxels& voxels, std::int64_t each, double dt,
+              double events) {
   const Network network(scene);
-  const Voxels voxels = lattice({n, n, n}, true, 1.0, network.species());
   State state = empty_state(network, voxels.size());
-  for (int s = 0; s < static_cast<int>(network.species()); ++s) fill(state, s, 10);
+  for (int s = 0; s < static_cast<int>(network.species()); ++s) fill(state, s, each);
   open_ledger(state, network);
   auto sampler = make_sampler(method, network);
+  const double begin = cpu_seconds();
   sampler->bind(voxels, state);
+  const double bind = cpu_seconds() - begin;
   sampler->advance(0, dt, Process::both, {1, 0}, 0);
   const auto done = [&] { return static_cast<double>(state.reaction_events + state.jump_events); };
   const double before = done(), start = cpu_seconds();
   for (std::uint64_t step = 1; done() - before < events; ++step) sampler->advance(0, dt, Process::both, {1, 0}, step);
-  const double speed = (done() - before) / (cpu_seconds() - start);
+  const double spent = cpu_seconds() - start;
   EXPECT_EQ(imbalance(state, network), "");
-  return speed;
+  return {(done() - before) / spent, bind};
 }
+
+void show(const char* method, const std::string& work, const Speed& speed) {
+  fmt::print("{:22} {:40} {:7.1f} million events per CPU second; bind {:.1f} ms\n", method, work, 1e-6 * speed.events,
+             1e3 * speed.bind);
+}
+
+Voxels cube(std::uint32_t n, std::size_t species) { return lattice({n, n, n}, true, 1.0, species); }
 
 TEST(Speed, CompositionRejection) {
   const auto method = scene::Sampler::composition_rejection;
   for (std::uint32_t n : {10U, 30U, 60U}) {
-    fmt::print("composition_rejection D3-{}: {:.1f} million events per CPU second\n", n,
-               1e-6 * rate(method, diffusion_scene(), n, 1.0, 2e7));
+    show("composition_rejection", fmt::format("D3-{}", n),
+         measure(method, diffusion_scene(), cube(n, 1), 10, 1.0, 2e7));
   }
   for (std::uint32_t n : {10U, 30U}) {
-    fmt::print("composition_rejection RD-{}: {:.1f} million events per CPU second\n", n,
-               1e-6 * rate(method, reaction_scene(), n, 1.0, 1e7));
+    show("composition_rejection", fmt::format("RD-{}", n), measure(method, reaction_scene(), cube(n, 3), 10, 1.0, 1e7));
+  }
+  show("composition_rejection", "20164 disordered, 28 neighbours, 100 each",
+       measure(method, diffusion_scene(), disordered(142, 1), 100, 1.0, 1e7));
+}
+
+TEST(Speed, Split) {
+  const auto method = scene::Sampler::split;
+  for (double dt : {0.02, 0.1, 0.5}) {
+    show("split", fmt::format("D3-30, {:.2f} jumps a step", 6 * dt),
+         measure(method, diffusion_scene(), cube(30, 1), 10, dt, 3e7));
+  }
+  show("split", "RD-10, step 0.02", measure(method, reaction_scene(), cube(10, 3), 10, 0.02, 5e6));
+  for (double dt : {0.1, 0.6, 1.0, 3.0}) {
+    for (std::int64_t each : {1, 10, 100, 1000, 10000}) {
+      show("split", fmt::format("20164 disordered, {} each, {:.1f} jumps a step", each, dt),
+           measure(method, diffusion_scene(), disordered(142, 1), each, dt,
+                   std::min(3e7, 5e5 * static_cast<double>(each))));
+    }
   }
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <tuple>
 
-#include "base/nearest.hpp"
 #include "base/units.hpp"
 #include "scene/build.hpp"
 
@@ -37,7 +36,7 @@ std::optional<Place> place_named(const std::string& name, const toml::node& at, 
     }
     section.error(at, "at",
                   fmt::format("no side or material is called {}{}", quoted(name),
-                              suggestion(name, names, fmt::format("places: {}", base::list_of(names)))));
+                              suggestion(name, names, fmt::format("places: {}", listed(names)))));
     return std::nullopt;
   }
   if (place->axis >= scene.dimension) {

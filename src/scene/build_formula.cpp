@@ -57,7 +57,9 @@ std::vector<int> check_formula(const Draft& draft, const Section& section, std::
                                         [&](const Species& one) { return one.name == names[i]; });
       used.push_back(static_cast<int>(species - draft.species.begin()));
     }
-    if (sound) check_dimension(expression, variables, dimension);
+    if (!sound) return used;
+    check_dimension(expression, variables, dimension);
+    if (dimension == base::dimensions::concentration) check_not_negative(expression, variables);
   } catch (const ExpressionError& error) {
     section.error(at, key, error.what());
   }

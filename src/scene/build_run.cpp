@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/nearest.hpp"
 #include "scene/build.hpp"
 #include "scene/expression.hpp"
 
@@ -74,7 +73,7 @@ void read_record(const Section& section, Scene& scene) {
     }
     section.error(*node, "record",
                   fmt::format("this scene has no field {}{}", quoted(name),
-                              suggestion(name, known, fmt::format("fields: {}", base::list_of(known)))));
+                              suggestion(name, known, fmt::format("fields: {}", listed(known)))));
   }
 }
 

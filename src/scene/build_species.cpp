@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/nearest.hpp"
 #include "base/units.hpp"
 #include "scene/build.hpp"
 #include "scene/check.hpp"
@@ -13,7 +12,8 @@
 namespace shmoo::scene {
 namespace {
 
-constexpr std::size_t longest_name = 64;  // bytes
+constexpr std::size_t most_names = 10000;  // species or parameters
+constexpr std::size_t longest_name = 64;   // bytes
 constexpr std::array coordinates{"x", "y", "z", "t"};
 
 std::string identifier_problem(const std::string& name) {
@@ -40,9 +40,16 @@ void read_homes(const Section& section, const Scene& scene, Species& species) {
     section.error("in", "missing; all materials are walls, so say in which of them the species lives");
 }
 
+void limit_names(const Section& root, std::string_view key) {
+  const auto given = root.section(key);
+  if (given && given->table().size() > most_names)
+    root.error(key, fmt::format("there are {}; at most {} are allowed", given->table().size(), most_names));
+}
+
 }  // namespace
 
 void build_parameters(const Section& root, Draft& draft) {
+  limit_names(root, "parameters");
   const auto given = root.section("parameters");
   if (!given) return;
   for (const auto& [key, value] : given->table()) {
@@ -60,6 +67,7 @@ void build_parameters(const Section& root, Draft& draft) {
 }
 
 void build_species(const Section& root, Draft& draft) {
+  limit_names(root, "species");
   for (const auto& [name, section] : root.named_sections("species")) {
     Species species;
     species.name = name;
@@ -82,7 +90,7 @@ int species_index(const Scene& scene, const std::string& name, const Section& se
   }
   section.error(at, key,
                 fmt::format("no species is called {}{}", quoted(name),
-                            suggestion(name, names, fmt::format("species: {}", base::list_of(names)))));
+                            suggestion(name, names, fmt::format("species: {}", listed(names)))));
   return -1;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/nearest.hpp"
 #include "base/units.hpp"
 #include "scene/build.hpp"
 #include "scene/check.hpp"
@@ -12,6 +11,7 @@
 namespace shmoo::scene {
 namespace {
 
+constexpr std::size_t most_materials = 1000;
 constexpr double most_particles = 2e8;
 constexpr std::size_t longest_name = 64;  // bytes
 constexpr std::string_view nothing = "nothing";
@@ -180,7 +180,7 @@ int material_index(const Scene& scene, const std::string& name, const Section& s
   }
   section.error(at, key,
                 fmt::format("no material is called {}{}", quoted(name),
-                            suggestion(name, names, fmt::format("materials: {}", base::list_of(names)))));
+                            suggestion(name, names, fmt::format("materials: {}", listed(names)))));
   return -1;
 }
 
@@ -202,6 +202,8 @@ void build_materials(const Section& root, Scene& scene) {
   for (const auto& [name, section] : root.named_sections("materials"))
     scene.materials.push_back(material_of(name, section, scene.dimension));
   const auto given = root.section("materials");
+  if (given && given->table().size() > most_materials)
+    root.error("materials", fmt::format("there are {}; at most {} are allowed", given->table().size(), most_materials));
   if (given && given->table().empty()) root.error("materials", "there must be at least one [materials.NAME]");
 }
 

@@ -150,8 +150,7 @@ void Checker::unknown_key(const toml::key& key, const toml::node& value, const T
   if (!nearest.empty()) meant.push_back(nearest);
   const bool needs_shape = schema.shape == ShapeUse::optional && !shape;
   const auto& at = value.source().path && value.source().path->starts_with("--set") ? value.source() : key.source();
-  const auto rest =
-      fmt::format("allowed here: {}{}", base::list_of(names), needs_shape ? ", and the keys of a shape" : "");
+  const auto rest = fmt::format("allowed here: {}{}", listed(names), needs_shape ? ", and the keys of a shape" : "");
   report_.add(at, fmt::format("{}: unknown key{}", join_path(path, key.str()), suggestion(given, names, rest)));
 }
 

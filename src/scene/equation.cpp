@@ -11,6 +11,7 @@ namespace shmoo::scene {
 namespace {
 
 constexpr int largest_count = 1000;
+constexpr std::size_t longest_equation = 1000;  // characters
 
 std::string_view trim(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -50,6 +51,8 @@ EquationSide parse_side(std::string_view text) {
 }  // namespace
 
 Equation parse_equation(std::string_view text) {
+  if (text.size() > longest_equation)
+    throw EquationError(fmt::format("more than {} characters; split it into several reactions", longest_equation));
   const auto arrow = text.find("->");
   if (arrow == std::string_view::npos)
     throw EquationError("there is no arrow; write -> for one direction or <-> for both");

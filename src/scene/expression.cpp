@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/nearest.hpp"
 #include "base/random.hpp"
 #include "scene/report.hpp"
 
@@ -36,7 +35,7 @@ std::string explain(const mu::Parser::exception_type& error, const std::vector<s
       token.substr(0, token.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"));
   if (name.empty()) return fmt::format("'{}' does not belong there", token);
   return fmt::format("'{}' is not defined{}", name,
-                     suggestion(name, names, fmt::format("names here: {}", base::list_of(variables))));
+                     suggestion(name, names, fmt::format("names here: {}", listed(variables))));
 }
 
 }  // namespace
@@ -155,6 +154,20 @@ void check_dimension(const Expression& expression, const std::vector<Variable>& 
                     base::dimension_name(dimension), failing));
   }
   if (!finite) throw ExpressionError("the formula has no finite value at any of the points that were tried");
+}
+
+void check_not_negative(const Expression& expression, const std::vector<Variable>& variables) {
+  base::RandomSequence random({}, base::Stream::test);
+  double lowest = 0, largest = 0;
+  for (int i = 0; i < 4 * random_points; ++i) {
+    const double value = expression(random_point(variables, random));
+    if (!std::isfinite(value)) continue;
+    lowest = std::min(lowest, value);
+    largest = std::max(largest, std::abs(value));
+  }
+  if (lowest < -same * largest)
+    throw ExpressionError(fmt::format(
+        "the formula is negative somewhere ({:.3g} in SI units); a concentration is not; use max(0, ...)", lowest));
 }
 
 }  // namespace shmoo::scene

@@ -51,4 +51,7 @@ struct Variable {
 void check_dimension(const Expression& expression, const std::vector<Variable>& variables,
                      const base::Dimension& dimension);
 
+// Throws ExpressionError where the formula is negative at one of the random points; rounding is forgiven.
+void check_not_negative(const Expression& expression, const std::vector<Variable>& variables);
+
 }  // namespace shmoo::scene

@@ -11,9 +11,11 @@
 namespace shmoo::scene {
 namespace {
 
-constexpr std::size_t most_diagnostics = 100;
-constexpr std::size_t longest_name = 64;   // bytes that are compared with valid names
-constexpr std::size_t longest_quote = 60;  // bytes
+constexpr std::size_t most_diagnostics = 100;  // shown
+constexpr std::size_t most_collected = 1000;   // a file with more is given up at once
+constexpr std::size_t longest_list = 30;       // names
+constexpr std::size_t longest_name = 64;       // bytes that are compared with valid names
+constexpr std::size_t longest_quote = 60;      // bytes
 
 auto order(const base::Diagnostic& diagnostic) {
   const auto& [file, line, column] = diagnostic.where;
@@ -34,6 +36,7 @@ void Report::add(const toml::node& at, std::string message) {
 
 void Report::add(const toml::source_region& at, std::string message) {
   diagnostics_.push_back({location(at), std::move(message)});
+  if (diagnostics_.size() >= most_collected) finish();
 }
 
 void Report::finish() {
@@ -43,7 +46,10 @@ void Report::finish() {
   if (diagnostics_.size() > most_diagnostics) {
     const auto more = diagnostics_.size() - most_diagnostics;
     diagnostics_.resize(most_diagnostics);
-    diagnostics_.push_back({{file_, 0, 0}, fmt::format("{} more mistakes are not shown", more)});
+    diagnostics_.push_back({{file_, 0, 0},
+                            fmt::format("{} more mistakes are not shown", more == most_collected - most_diagnostics
+                                                                              ? fmt::format("{} or", more)
+                                                                              : fmt::format("{}", more))});
   }
   throw base::InputError(std::move(diagnostics_));
 }
@@ -53,6 +59,11 @@ std::string suggestion(std::string_view given, const std::vector<std::string>& n
   if (meant.empty()) return fmt::format("; {}", rest);
   rest.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(rest.front())));
   return fmt::format("{} {}", meant, rest);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  if (names.size() <= longest_list) return base::list_of(names);
+  return fmt::format("{}, ... ({} in all)", base::list_of(std::span(names).first(longest_list)), names.size());
 }
 
 std::string quoted(std::string_view text) {

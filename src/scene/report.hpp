@@ -24,8 +24,8 @@ class Report {
   std::size_t count() const { return diagnostics_.size(); }
   base::Location location(const toml::source_region& at) const;
 
-  // Throws base::InputError with everything that was added, in the order of the file, unless nothing was. Very many
-  // mistakes are cut short.
+  // Throws base::InputError, as does adding without end, with everything that was added, in the order of the file,
+  // unless nothing was. Very many mistakes are cut short.
   void finish();
 
  private:
@@ -36,6 +36,9 @@ class Report {
 
 // What follows a name that is not known: "; did you mean 'NAME'? Rest" where one is near, otherwise "; rest".
 std::string suggestion(std::string_view given, const std::vector<std::string>& names, std::string rest);
+
+// "a, b, c"; the first of very many.
+std::string listed(const std::vector<std::string>& names);
 
 // The text in quotes for a message: cut short where it is long, control characters replaced.
 std::string quoted(std::string_view text);

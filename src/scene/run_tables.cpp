@@ -84,7 +84,7 @@ Table run_table() {
            {"realisations", {integer(1, 1e7)}, false, "1", "how many runs with different chance"},
            {"seed", {integer(0, infinite)}, false, "1", "what all chance follows from"},
            {"record",
-            {list({text("the name of a species or field")})},
+            {list({text("the name of a species or field")}, 1)},
             false,
             "all fields",
             "fields to keep: names of species, `position`, `velocity`, `density`, `pressure`, `volume`"},

@@ -1,0 +1,49 @@
+#include "coupling/chemistry.hpp"
+
+namespace shmoo::coupling {
+
+Chemistry::Chemistry(const scene::Scene& scene, const rdme::Network& network, const base::RandomKey& key)
+    : scene_(scene), network_(network), key_(key) {
+  for (const auto& species : scene.species) {
+    if (species.method == scene::SpeciesMethod::stochastic) {
+      if (!sampler_) sampler_ = rdme::make_sampler(scene.numerics.sampler, network);
+    } else if (!solver_) {
+      solver_ = std::make_unique<rdme::DeterministicSolver>(network, scene.numerics.tolerance);
+    }
+  }
+}
+
+void Chemistry::begin(std::shared_ptr<const Ground> ground) {
+  state_ = rdme::initial_state(scene_, network_, ground->voxels, key_);
+  bind(std::move(ground));
+}
+
+void Chemistry::bind(std::shared_ptr<const Ground> ground) {
+  if (ground == ground_) return;
+  ground_ = std::move(ground);
+  if (sampler_) sampler_->bind(ground_->voxels, state_, ground_->tables);
+  if (solver_) solver_->bind(ground_->voxels, state_);
+}
+
+void Chemistry::advance(std::shared_ptr<const Ground> ground, double t, double dt, std::uint64_t interval) {
+  bind(std::move(ground));
+  const bool strang = scene_.numerics.splitting == scene::Splitting::strang && sampler_ && solver_;
+  const double before = strang ? 0.5 * dt : dt;
+  if (solver_) solver_->advance(t, before, rdme::Process::both);
+  if (sampler_) {
+    if (solver_) sampler_->amounts_changed();
+    sampler_->advance(t, dt, rdme::Process::both, key_, interval);
+  }
+  if (strang) {
+    solver_->advance(t + before, dt - before, rdme::Process::both);
+  }
+}
+
+void Chemistry::close(Outcome& outcome) const {
+  outcome.ledger = state_.ledger;
+  outcome.balanced = rdme::imbalance(state_, network_).empty();
+  outcome.reaction_events = state_.reaction_events;
+  outcome.jump_events = state_.jump_events;
+}
+
+}  // namespace shmoo::coupling

@@ -1,0 +1,45 @@
+#pragma once
+// The chemistry of one realisation: its amounts, the sampler of its stochastic part and the solver of its deterministic
+// part, joined by operator splitting.
+#include <memory>
+
+#include "base/random.hpp"
+#include "coupling/experiment.hpp"
+#include "coupling/stage.hpp"
+#include "rdme/deterministic.hpp"
+#include "rdme/network.hpp"
+#include "rdme/sampler.hpp"
+#include "rdme/state.hpp"
+#include "scene/scene.hpp"
+
+namespace shmoo::coupling {
+
+class Chemistry {
+ public:
+  Chemistry(const scene::Scene& scene, const rdme::Network& network, const base::RandomKey& key);
+
+  // Draws the initial amounts on this ground.
+  void begin(std::shared_ptr<const Ground> ground);
+
+  // From t to t + dt [s] on ground that keeps its shape. Lie: deterministic, then stochastic; Strang: half of the
+  // deterministic part before and half after. `interval` numbers the calls of one realisation.
+  void advance(std::shared_ptr<const Ground> ground, double t, double dt, std::uint64_t interval);
+
+  // The ledger and what happened. Throws nothing: an imbalance is told in the outcome.
+  void close(Outcome& outcome) const;
+
+  const rdme::State& state() const { return state_; }
+
+ private:
+  void bind(std::shared_ptr<const Ground> ground);
+
+  const scene::Scene& scene_;
+  const rdme::Network& network_;
+  base::RandomKey key_;
+  rdme::State state_;
+  std::shared_ptr<const Ground> ground_;
+  std::unique_ptr<rdme::Sampler> sampler_;             // null where no species is stochastic
+  std::unique_ptr<rdme::DeterministicSolver> solver_;  // null where no species is deterministic
+};
+
+}  // namespace shmoo::coupling

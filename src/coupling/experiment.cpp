@@ -1,0 +1,179 @@
+#include "coupling/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "coupling/chemistry.hpp"
+#include "coupling/recorder.hpp"
+#include "coupling/schedule.hpp"
+#include "coupling/timeline.hpp"
+
+namespace shmoo::coupling {
+namespace {
+
+template <int D>
+std::vector<base::Vec<D>> voxel_positions(const sph::Filling<D>& filling) {
+  return {filling.particles.position.values().begin(),
+          filling.particles.position.values().begin() + long(filling.voxels)};
+}
+
+template <int D>
+std::vector<std::uint16_t> voxel_materials(const sph::Filling<D>& filling) {
+  return {filling.particles.material.values().begin(),
+          filling.particles.material.values().begin() + long(filling.voxels)};
+}
+
+template <int D>
+std::array<std::size_t, 3> lattice_cells(const sph::Filling<D>& filling) {
+  std::array<std::size_t, 3> cells{1, 1, 1};
+  for (int a = 0; a < D; ++a)
+    cells[std::size_t(a)] = std::size_t(std::lround(filling.box.size()[a] / filling.spacing[a]));
+  return cells;
+}
+
+template <int D>
+class ExperimentOf final : public Experiment {
+ public:
+  explicit ExperimentOf(scene::Scene scene) : ExperimentOf(std::make_unique<scene::Scene>(std::move(scene)), {}) {}
+
+  const scene::Scene& scene() const override { return *scene_; }
+  const RecordLayout& layout() const override { return recorder_.layout(); }
+  std::size_t particles() const override { return filling_.voxels; }
+  std::vector<std::int32_t> material_of_particle() const override {
+    return {geometry_.material().begin(), geometry_.material().end()};
+  }
+  std::vector<std::array<double, 3>> start_position() const override {
+    std::vector<std::array<double, 3>> places(filling_.voxels, std::array<double, 3>{});
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (int a = 0; a < D; ++a) places[i][std::size_t(a)] = filling_.particles.position[i][a];
+    return places;
+  }
+  std::vector<Derived> derived() const override { return derived_; }
+
+  bool prepare(RecordSink& sink, const Progress& progress) override {
+    if (!flow_random_) {
+      auto timeline = make_timeline({scene_->run.seed, 0});
+      start_ = timeline->start();
+      if (timeline->start_picture()) recorder_.flow(0, *timeline->start_picture(), sink);
+      if (start_) recorder_.volume(0, start_->frame(), sink);
+      const bool finished = timeline->run([&](const Interval<D>& interval) {
+        if (progress.stop && progress.stop()) return false;
+        if (interval.record >= 0) record_flow(interval, sink);
+        if (progress.report) progress.report(interval.end / scene_->run.until);
+        if (has_chemistry_) intervals_.push_back(interval);
+        return true;
+      });
+      if (!finished) return false;
+      if (timeline->steady_since() >= 0.0) {
+        derived_.push_back(
+            {"flow_steady_since", timeline->steady_since(), "s", "from then on the flow is carried, not computed"});
+      }
+    }
+    return random() ? true : tell(0, sink, progress, alike_);
+  }
+
+  bool realise(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) override {
+    if (random()) return tell(k, sink, progress, outcome);
+    outcome = alike_;
+    return true;
+  }
+
+ private:
+  struct Tag {};
+  ExperimentOf(std::unique_ptr<scene::Scene> scene, Tag)
+      : scene_(std::move(scene)),
+        network_(*scene_),
+        filling_(sph::fill<D>(*scene_)),
+        geometry_(*scene_, filling_.box, voxel_materials(filling_),
+                  scene_->numerics.reach * filling_.spacing.maxCoeff()),
+        stages_(geometry_, *scene_, network_),
+        has_chemistry_(network_.species() > 0),
+        flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),
+        step_(splitting_step(*scene_, network_)),
+        recorder_(*scene_, network_, geometry_.material(), lattice_cells(filling_), record_times(scene_->run),
+                  !random(), !flow_random_) {
+    if (has_chemistry_) derived_.push_back({"splitting_step", step_.value, "s", step_.why});
+    if (scene_->effects.flow) {
+      for (auto& number : make_live_flow<D>(*scene_, {scene_->run.seed, 0})->derived())
+        derived_.push_back(std::move(number));
+    }
+  }
+
+  bool random() const {
+    bool any = flow_random_;
+    for (const auto& species : scene_->species) any = any || species.method == scene::SpeciesMethod::stochastic;
+    return any;
+  }
+
+  std::unique_ptr<Timeline<D>> make_timeline(const base::RandomKey& key) const {
+    auto flow = scene_->effects.flow ? make_live_flow<D>(*scene_, key) : nullptr;
+    return std::make_unique<Timeline<D>>(*scene_, stages_, recorder_.layout().times, step_, std::move(flow),
+                                         voxel_positions(filling_), filling_.cell);
+  }
+
+  void record_flow(const Interval<D>& interval, RecordSink& sink) const {
+    if (interval.picture) recorder_.flow(std::size_t(interval.record), *interval.picture, sink);
+    if (interval.stage) recorder_.volume(std::size_t(interval.record), interval.stage->frame(), sink);
+  }
+
+  // One realisation, from its first molecule to its last record.
+  bool tell(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) const {
+    const base::RandomKey key{scene_->run.seed, k};
+    const auto own_flow = flow_random_ ? make_timeline(key) : nullptr;
+    Chemistry chemistry(*scene_, network_, key);
+    if (has_chemistry_) {
+      const auto start = own_flow ? own_flow->start() : start_;
+      chemistry.begin(start->ground());
+      recorder_.chemistry(0, chemistry.state(), start->frame(), sink);
+      if (own_flow) recorder_.volume(0, start->frame(), sink);
+    }
+    if (own_flow) recorder_.flow(0, *own_flow->start_picture(), sink);
+    const auto live = [&](const Interval<D>& interval) {
+      if (progress.stop && progress.stop()) return false;
+      if (has_chemistry_) {
+        chemistry.advance(interval.stage->ground(), interval.begin, interval.end - interval.begin, interval.number);
+      }
+      if (interval.record >= 0) {
+        const auto time = std::size_t(interval.record);
+        if (has_chemistry_) recorder_.chemistry(time, chemistry.state(), interval.stage->frame(), sink);
+        if (own_flow) record_flow(interval, sink);
+      }
+      if (progress.report) progress.report(interval.end / scene_->run.until);
+      return true;
+    };
+    const bool finished = own_flow ? own_flow->run(live) : std::all_of(intervals_.begin(), intervals_.end(), live);
+    if (finished && has_chemistry_) chemistry.close(outcome);
+    return finished;
+  }
+
+  std::unique_ptr<scene::Scene> scene_;
+  rdme::Network network_;
+  sph::Filling<D> filling_;
+  Geometry<D> geometry_;
+  StageBuilder<D> stages_;
+  bool has_chemistry_, flow_random_;
+  Step step_;
+  Recorder<D> recorder_;
+  std::vector<Derived> derived_;
+  std::shared_ptr<const Stage<D>> start_;
+  std::vector<Interval<D>> intervals_;  // of the flow that all realisations share
+  Outcome alike_;                       // where nothing is random: the outcome of every realisation
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> make_experiment(scene::Scene scene) {
+  switch (scene.dimension) {
+    case 1:
+      return std::make_unique<ExperimentOf<1>>(std::move(scene));
+    case 2:
+      return std::make_unique<ExperimentOf<2>>(std::move(scene));
+    default:
+      return std::make_unique<ExperimentOf<3>>(std::move(scene));
+  }
+}
+
+}  // namespace shmoo::coupling

@@ -1,0 +1,127 @@
+#include "coupling/live_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "hydro/fluid.hpp"
+
+namespace shmoo::coupling {
+namespace {
+
+constexpr double most_movement = 0.25;       // [spacings] of a particle in one interval
+constexpr double part_of_time_scale = 0.25;  // between two looks at whether the flow is steady
+
+template <int D>
+class FluidInMotion final : public LiveFlow<D> {
+ public:
+  using Vec = base::Vec<D>;
+
+  FluidInMotion(const scene::Scene& scene, const base::RandomKey& key)
+      : FluidInMotion(scene, sph::fill<D>(scene), key) {}
+
+  double interval() const override {
+    const double speed = std::max(fluid_.max_speed(), 1e-3 * fluid_.scales().speed);
+    return speed > 0.0 ? most_movement * fluid_.scales().spacing / speed : std::numeric_limits<double>::infinity();
+  }
+
+  void advance(double until, Frame<D>* frame) override {
+    if (!frame) {
+      fluid_.advance(until);
+    } else {
+      const std::vector<Vec> start = by_id([&](std::size_t i) { return fluid_.particles().position[i]; });
+      fluid_.begin_interval();
+      fluid_.advance(until);
+      frame->arrival = by_id([&](std::size_t i) { return fluid_.particles().position[i]; });
+      frame->drift = by_id([&](std::size_t i) { return fluid_.mean_shift(i); });
+      frame->position = start;
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        frame->position[i] = fluid_.box().wrap(start[i] + 0.5 * fluid_.box().nearest(frame->arrival[i] - start[i]));
+      }
+    }
+    look();
+  }
+
+  void picture(FlowPicture<D>& picture) const override {
+    const auto& state = fluid_.state();
+    picture.position = by_id([&](std::size_t i) { return fluid_.particles().position[i]; });
+    picture.velocity = by_id([&](std::size_t i) { return fluid_.velocity(i); });
+    picture.density = by_id([&](std::size_t i) { return state.density[i]; });
+    picture.pressure = by_id([&](std::size_t i) { return state.pressure[i]; });
+    picture.kinetic_energy = fluid_.kinetic_energy();
+    picture.max_speed = fluid_.max_speed();
+    picture.temperature = fluid_.temperature();
+    picture.density_error = fluid_.density_error();
+    picture.min_distance = fluid_.smallest_distance();
+  }
+
+  bool steady() const override { return steady_; }
+
+  std::vector<Experiment::Derived> derived() const override {
+    std::vector<Experiment::Derived> list;
+    for (const auto& number : fluid_.derived()) list.push_back({number.name, number.value, number.unit, number.why});
+    return list;
+  }
+
+ private:
+  FluidInMotion(const scene::Scene& scene, sph::Filling<D> filling, const base::RandomKey& key)
+      : voxels_(filling.voxels), fluid_(scene, std::move(filling), key), tolerance_(scene.numerics.steady_tolerance) {
+    const auto& scales = fluid_.scales();
+    const double crossing = scales.speed > 0.0 ? scales.length / scales.speed : std::numeric_limits<double>::infinity();
+    const double nu = scales.kinematic_viscosity();
+    const double viscous = nu > 0.0 ? scales.length * scales.length / nu : crossing;
+    window_ = part_of_time_scale * std::min(crossing, viscous);
+    if (tolerance_) last_look_ = by_id([&](std::size_t i) { return fluid_.velocity(i); });
+  }
+
+  // What voxel particles have, by id; get(i) takes the particle's place in the store.
+  template <class Get>
+  auto by_id(Get get) const {
+    std::vector<std::decay_t<decltype(get(0))>> values(voxels_);
+    const auto& id = fluid_.particles().id;
+    for (std::size_t i = 0; i < fluid_.particles().size(); ++i) {
+      if (id[i] < voxels_) values[id[i]] = get(i);
+    }
+    return values;
+  }
+
+  // Steady: over a quarter of the shortest time scale of the flow (crossing or viscous), the velocity field changed by
+  // less than the tolerance in the root mean square.
+  void look() {
+    if (!tolerance_ || fluid_.time() - looked_at_ < window_) return;
+    const std::vector<Vec> now = by_id([&](std::size_t i) { return fluid_.velocity(i); });
+    double change = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      change += (now[i] - last_look_[i]).squaredNorm();
+      size += now[i].squaredNorm();
+    }
+    steady_ = std::sqrt(change) <= *tolerance_ * std::sqrt(size);
+    last_look_ = now;
+    looked_at_ = fluid_.time();
+  }
+
+  std::size_t voxels_;
+  hydro::Fluid<D> fluid_;
+  std::optional<double> tolerance_;
+  double window_ = 0, looked_at_ = 0;
+  std::vector<Vec> last_look_;
+  bool steady_ = false;
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<LiveFlow<D>> make_live_flow(const scene::Scene& scene, const base::RandomKey& key) {
+  if constexpr (D == 1) {
+    throw base::InputError({{{scene.file, 0, 0}, "a flow needs dimension = 2 or 3; in 1-D set effects.flow = false"}});
+  } else {
+    return std::make_unique<FluidInMotion<D>>(scene, key);
+  }
+}
+
+template std::unique_ptr<LiveFlow<1>> make_live_flow(const scene::Scene&, const base::RandomKey&);
+template std::unique_ptr<LiveFlow<2>> make_live_flow(const scene::Scene&, const base::RandomKey&);
+template std::unique_ptr<LiveFlow<3>> make_live_flow(const scene::Scene&, const base::RandomKey&);
+
+}  // namespace shmoo::coupling

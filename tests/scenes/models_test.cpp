@@ -1,0 +1,79 @@
+// Every shipped model is read and runs for a short while; its ledger balances and its records are finite.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "memory_sink.hpp"
+
+namespace {
+
+using namespace shmoo;
+namespace fs = std::filesystem;
+
+std::vector<std::string> shipped_models() {
+  std::vector<std::string> models;
+  const fs::path root = fs::path(SHMOO_SOURCE_DIR) / "models";
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.path().extension() == ".toml") models.push_back(fs::relative(entry.path(), root).string());
+  }
+  std::sort(models.begin(), models.end());
+  return models;
+}
+
+// How long each model is run; a new model needs a line.
+const std::map<std::string, std::string> short_time{
+    {"yeast-gradient/model.toml", "2 us"},
+    {"yeast-gradient/diffusing-receptors.toml", "2 us"},
+    {"yeast-gradient/published-4um.toml", "200 us"},
+    {"validation/annihilation-1d/model.toml", "0.01 s"},
+    {"validation/diffusion-1d/model.toml", "0.01 s"},
+    {"validation/diffusion-2d/model.toml", "0.1 s"},
+    {"validation/poiseuille/model.toml", "0.01 s"},
+    {"validation/reversible-binding/model.toml", "0.01 s"},
+    {"validation/taylor-green/model.toml", "0.01 s"},
+    {"validation/thermal-noise/model.toml", "0.001 s"},
+};
+
+class ShippedModels : public testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedModels, RunsForAShortWhile) {
+  ASSERT_TRUE(short_time.contains(GetParam())) << "add the model to the list of short times";
+  const std::string time = "\"" + short_time.at(GetParam()) + "\"";
+  const auto lab = test::laboratory(
+      GetParam(),
+      {{"run.until", time}, {"run.record_every", time}, {"run.record_at", "[]"}, {"run.realisations", "2"}});
+  coupling::Outcome outcome;
+  const auto sink = lab.realise(1, &outcome);
+  EXPECT_TRUE(outcome.balanced);
+  std::size_t records = 0;
+  for (const auto* kind : {&lab.shared.fields(), &lab.shared.observables(), &sink.fields(), &sink.observables()}) {
+    for (const auto& [name, by_time] : *kind) {
+      EXPECT_EQ(by_time.size(), 2u) << name;
+      for (const auto& [index, values] : by_time)
+        for (const double value : values) ASSERT_TRUE(std::isfinite(value)) << name;
+      ++records;
+    }
+  }
+  const auto& layout = lab.experiment->layout();
+  EXPECT_EQ(records, layout.fields.size() + layout.observables.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedModels, testing::ValuesIn(shipped_models()), [](const auto& info) {
+  std::string name = info.param;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+});
+
+TEST(ShippedModelsList, HoldsNoModelThatIsNotShipped) {
+  const auto models = shipped_models();
+  for (const auto& [model, time] : short_time) {
+    EXPECT_NE(std::find(models.begin(), models.end(), model), models.end()) << model;
+  }
+}
+
+}  // namespace

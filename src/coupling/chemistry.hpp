@@ -7,6 +7,7 @@
 #include "coupling/experiment.hpp"
 #include "coupling/stage.hpp"
 #include "rdme/deterministic.hpp"
+#include "rdme/initial.hpp"
 #include "rdme/network.hpp"
 #include "rdme/sampler.hpp"
 #include "rdme/state.hpp"

@@ -3,7 +3,7 @@
 add_library(shmoo_flags INTERFACE)
 target_compile_options(shmoo_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror -fno-math-errno -fno-trapping-math -ffp-contract=off
-  -Wno-maybe-uninitialized)  # false alarms of g++ 12 in aggregate initialisation
+  -Wno-maybe-uninitialized -Wno-restrict)  # false alarms of g++ 12 in aggregates and strings
 if(SHMOO_ARCH)
   target_compile_options(shmoo_flags INTERFACE -march=${SHMOO_ARCH})
 endif()

@@ -139,7 +139,7 @@ void sweep_density(State<D>& state, const sph::AnyKernel<D>& any_kernel, const E
   std::visit(
       [&](const auto& kernel, const auto& density, const auto& diffusion, const auto& transport) {
         DensitySweep sweep(state, kernel, density, diffusion, transport, dt, next_dt);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(fluid.size()))
         for (std::size_t n = 0; n < fluid.size(); ++n) sweep.particle(fluid[n]);
       },
       any_kernel, effects.density, effects.density_diffusion, effects.transport_velocity);

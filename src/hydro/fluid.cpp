@@ -126,13 +126,19 @@ void Fluid<D>::evaluate(double dt) {
   draws_ += sweep_forces(state_, effects_, evaluations_++);
   const BodyView<D> view{state_.particles.position.values(), state_.velocity.values(), state_.acceleration.values(),
                          next};
-  for (const auto& effect : effects_.body) effect->apply(view, state_.rows.fluid());
+  const std::span<const std::uint32_t> fluid = state_.rows.fluid();
+  constexpr std::size_t chunk = 1024;
+#pragma omp parallel for schedule(static) if (worth_threads(fluid.size() / 4))
+  for (std::size_t first = 0; first < fluid.size(); first += chunk) {
+    const auto range = fluid.subspan(first, std::min(chunk, fluid.size() - first));
+    for (const auto& effect : effects_.body) effect->apply(view, range);
+  }
 }
 
 template <int D>
 void Fluid<D>::update_density() {
   const auto& fluid = state_.rows.fluid();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(fluid.size() / 4))
   for (std::size_t n = 0; n < fluid.size(); ++n) {
     const std::size_t i = fluid[n];
     state_.density[i] = state_.next_density[i];
@@ -147,7 +153,7 @@ template <int D>
 void Fluid<D>::kick(double dt, double root) {
   const auto& fluid = state_.rows.fluid();
   double fastest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : fastest)
+#pragma omp parallel for schedule(static) reduction(max : fastest) if (worth_threads(fluid.size() / 4))
   for (std::size_t n = 0; n < fluid.size(); ++n) {
     const std::size_t i = fluid[n];
     Vec v = state_.velocity[i] + 0.5 * dt * state_.acceleration[i];
@@ -162,7 +168,7 @@ void Fluid<D>::kick(double dt, double root) {
 template <int D>
 void Fluid<D>::drift(double dt) {
   const auto& fluid = state_.rows.fluid();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(fluid.size() / 4))
   for (std::size_t n = 0; n < fluid.size(); ++n) {
     const std::size_t i = fluid[n];
     Vec transport = state_.velocity[i];

@@ -98,7 +98,7 @@ std::uint64_t sweep_forces(State<D>& state, const Effects<D>& effects, std::uint
   std::visit(
       [&]<class Pressure, class Friction, class Noise>(const Pressure&, const Friction& friction, const Noise& noise) {
         ForceSweep<D, Pressure, Friction, Noise> sweep(state, friction, noise, step);
-#pragma omp parallel for schedule(static) reduction(+ : draws)
+#pragma omp parallel for schedule(static) reduction(+ : draws) if (worth_threads(fluid.size()))
         for (std::size_t n = 0; n < fluid.size(); ++n) draws += sweep.particle(fluid[n]);
       },
       effects.pressure, effects.viscosity, effects.thermal_noise);

@@ -2,9 +2,13 @@
 // Pairs are worked on eight at a time, and sums over neighbours are kept in eight lanes, in this order on every
 // machine: the compiler may use vector registers of any width, or none, and the bits stay the same whichever effects
 // share the loop.
+#include <cstddef>
 #include <cstdint>
 
 namespace shmoo::hydro {
+
+// Whether so many particles are enough work in a pair sweep to start threads for. The bits do not depend on it.
+inline bool worth_threads(std::size_t particles) { return particles >= 3000; }
 
 inline constexpr int lanes = 8;  // neighbour rows are padded to a multiple of this
 

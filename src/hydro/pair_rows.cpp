@@ -27,13 +27,13 @@ void PairRows<D>::build(sph::Particles<D>& particles) {
   chunks_.resize(chunks);
   count_.resize(n);
   first_.resize(n + 1);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (worth_threads(n))
   for (std::size_t c = 0; c < chunks; ++c) list_chunk(particles, c);
   first_[0] = 0;
   for (std::size_t i = 0; i < n; ++i) first_[i + 1] = first_[i] + (count_[i] + lanes - 1) / lanes * lanes;
   partner_.resize(first_[n]);
   weight.resize(first_[n]);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(n))
   for (std::size_t c = 0; c < chunks; ++c) {
     std::copy(chunks_[c].partner.begin(), chunks_[c].partner.end(),
               partner_.begin() + std::ptrdiff_t(first_[c * chunk_size]));
@@ -100,7 +100,7 @@ template <int D>
 bool PairRows<D>::outdated(const std::vector<Vec>& position) const {
   const double limit = 0.25 * skin_ * skin_;
   bool moved = false;
-#pragma omp parallel for schedule(static) reduction(|| : moved)
+#pragma omp parallel for schedule(static) reduction(|| : moved) if (worth_threads(position.size() / 4))
   for (std::size_t i = 0; i < position.size(); ++i) {
     moved = moved || !(box_.nearest(position[i] - built_at_[i]).squaredNorm() < limit);
   }

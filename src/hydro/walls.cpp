@@ -23,7 +23,7 @@ template <int D>
 void Walls<D>::carry(State<D>& state, double t, double dt) const {
   if (!motion_.any_moves()) return;
   auto& particles = state.particles;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(particles.size() / 4))
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (particles.role[i] == sph::Role::fluid || !motion_.moves(particles.material[i])) continue;
     const auto material = particles.material[i];
@@ -38,7 +38,7 @@ void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& an
   const auto& solid = state.rows.solid();
   std::visit(
       [&](const auto& kernel) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(4 * solid.size()))
         for (std::size_t n = 0; n < solid.size(); ++n) {
           const std::size_t i = solid[n];
           double sum = 0.0;
@@ -63,7 +63,7 @@ void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
   const auto& solid = state.rows.solid();
   const auto& scales = state.scales;
   const double c2 = scales.sound_speed * scales.sound_speed;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(4 * solid.size()))
   for (std::size_t n = 0; n < solid.size(); ++n) {
     const std::size_t i = solid[n];
     double sum = 0.0, p_sum = 0.0;

@@ -67,7 +67,7 @@ std::uint64_t BounceBack<D>::apply(State<D>& state, const sph::AnyKernel<D>& ker
   std::uint64_t count = 0;
   std::visit(
       [&](const auto& k) {
-#pragma omp parallel for schedule(static) reduction(+ : count)
+#pragma omp parallel for schedule(static) reduction(+ : count) if (worth_threads(4 * near.size()))
         for (std::size_t n = 0; n < near.size(); ++n) {
           const auto view = look<D>(state, k, near[n]);
           count += throw_back<D>(view, state.scales.spacing, state.velocity[near[n]]);

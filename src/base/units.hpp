@@ -1,6 +1,6 @@
 #pragma once
-// Physical quantities as text, read once at the door: "347 um^2/s", "10 nM", "2000 molecules". UDUNITS-2 knows the
-// units; M (mol/L) with its prefixes, P (poise) and an exact molecule (1 mol = 6.02214076e23 molecules) are defined on top.
+// Physical quantities as text, read once at the door: "347 um^2/s", "10 nM", "2000 molecules". UDUNITS-2 knows the units;
+// M (mol/L) with its prefixes, P (poise) and an exact molecule (1 mol = 6.02214076e23 molecules) are defined on top.
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -48,8 +48,8 @@ int species_index(const Scene& scene, const std::string& name, const Section& se
 // turns false.
 std::vector<int> material_list(const Scene& scene, const Section& section, std::string_view key, bool& good);
 
-// Checks a formula: defined names, dimension; a concentration is not negative. Variables are x, y, z, the parameters and, where it is a rate law, t and
-// the species. Returns the species that it uses.
+// Checks a formula: defined names, dimension; a concentration is not negative. Variables are x, y, z, the parameters and,
+// where it is a rate law, t and the species. Returns the species that it uses.
 std::vector<int> check_formula(const Draft& draft, const Section& section, std::string_view key, const toml::node& at,
                                const base::Dimension& dimension, bool rate_law);
 

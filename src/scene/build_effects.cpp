@@ -5,6 +5,7 @@
 #include <array>
 
 #include "scene/build.hpp"
+#include "scene/check.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -50,6 +51,18 @@ std::string driver(const Scene& scene, const Asked& asked) {
   return asked.value("thermal_noise") == true ? "effects.thermal_noise" : "";
 }
 
+// A flow has one fluid: materials of that type may differ in what lives there, not in how they flow.
+void check_one_fluid(const Scene& scene, const Section& section, const Material*& first) {
+  for (const Material& material : scene.materials) {
+    if (section.path() != join_path("materials", material.name)) continue;
+    if (!first) first = &material;
+    if (material.density != first->density || material.viscosity != first->viscosity ||
+        material.bulk_viscosity != first->bulk_viscosity)
+      section.error(fmt::format(
+          "differs from {} in density or viscosity; a flow has one fluid, so give both the same values", first->name));
+  }
+}
+
 // What a flow needs; each thing that is missing is reported where it belongs.
 void check_flow_data(const Section& root, const Scene& scene, const std::string& why) {
   if (scene.dimension == 1)
@@ -57,6 +70,7 @@ void check_flow_data(const Section& root, const Scene& scene, const std::string&
         "dimension",
         fmt::format("a flow (because of {}) needs 2 or 3 dimensions; set effects.flow = false to leave it out", why));
   bool fluid = false;
+  const Material* first = nullptr;
   for (const auto& [name, section] : root.named_sections("materials")) {
     if (section.text("type") != "fluid") continue;
     fluid = true;
@@ -66,6 +80,7 @@ void check_flow_data(const Section& root, const Scene& scene, const std::string&
             key,
             fmt::format("missing; the flow (because of {}) needs it; set effects.flow = false to leave the flow out",
                         why));
+    if (section.good("density") && section.good("viscosity")) check_one_fluid(scene, section, first);
     // The friction across a pair's line is proportional to viscosity - bulk_viscosity/2 (2-D), 5/3 viscosity -
     // bulk_viscosity (3-D); Espanol and Revenga 2003.
     const double limit = (scene.dimension == 2 ? 2.0 : 5.0 / 3.0) * section.quantity("viscosity").value_or(0);

@@ -71,6 +71,7 @@ void build_species(const Section& root, Draft& draft) {
   for (const auto& [name, section] : root.named_sections("species")) {
     Species species;
     species.name = name;
+    species.where = section.where();
     if (const auto problem = identifier_problem(name); !problem.empty()) section.error(problem);
     if (draft.parameters.contains(name) || draft.bad_names.contains(name))
       section.error(fmt::format("a parameter is called '{}' too; rename one of them", name));

@@ -96,6 +96,7 @@ struct Species {
   std::vector<int> homes;  // materials, ascending
   double diffusivity = 0;  // [m^2/s]
   SpeciesMethod method = SpeciesMethod::stochastic;
+  base::Location where{};
 };
 
 // Initial amount of a species: a concentration, or a total count spread uniformly over the volume it covers.

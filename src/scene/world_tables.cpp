@@ -8,6 +8,14 @@ using namespace forms;
 
 namespace {
 
+Key parameters_key() {
+  return {"parameters",
+          {named({unit_later("a number with any unit"), number(any)}, "the name of a parameter")},
+          false,
+          "{}",
+          "named numbers and quantities that expressions can use, in SI units"};
+}
+
 Table file_table() {
   return {
       "",
@@ -37,11 +45,7 @@ Table file_table() {
         false,
         "[]",
         "where the materials are; later regions overwrite earlier ones"},
-       {"parameters",
-        {named({unit_later("a number with any unit"), number(any)}, "the name of a parameter")},
-        false,
-        "{}",
-        "named numbers and quantities that expressions can use, in SI units"},
+       parameters_key(),
        {"species",
         {named({subtable("species")}, "the name of a species")},
         false,

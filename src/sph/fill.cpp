@@ -111,7 +111,7 @@ void refuse_empty(const scene::Scene& scene, const Filling<D>& filling, const st
     for (const int home : species.homes) {
       if (lives(home)) continue;
       mistakes.push_back(
-          {{scene.file, 0, 0},
+          {species.where,
            fmt::format("species '{}' lives in '{}', which received no particle; fill it with a region or "
                        "make the spacing smaller",
                        species.name, scene.materials[static_cast<std::size_t>(home)].name)});

@@ -156,5 +156,25 @@ TEST_F(CommandLine, FailuresEndWith2AndSayWhereTheLastGoodStateIs) {
   EXPECT_NE(call({"info", out()}).out.find("failed: realisation 3"), std::string::npos);
 }
 
+TEST_F(CommandLine, PlotAndExportSayWhatTheyCannotDo) {
+  EXPECT_EQ(call({"run", "m.toml", "-o", out(), "-n", "3", "--quiet"}).code, exit_done);
+  expect_error({"plot", out(), "-o", out("x.png")}, "6 pictures do not fit into");
+  expect_error({"plot", out(), "-o", out("x.png"), "--field", "velocty"},
+               "has no field 'velocty'; did you mean 'velocity'?; it has: D, L, velocity");
+  expect_error({"plot", out(), "-o", out("x.png"), "--observable", "total"}, "has no observable 'total'");
+  expect_error({"plot", out(), "-o", out("x.png"), "--field", "L", "--time", "soon"},
+               "--time is 'soon'; 'all' or a time such as '0.8 s'");
+  expect_error({"plot", out(), "-o", out("x.png"), "--around"}, "--around needs --field NAME");
+  expect_error({"plot", out(), "-o", out() + "/x"}, "cannot make the folder");
+  expect_error({"export", out(), "--to", "vtx", "-o", out("d")},
+               "--to is 'vtx'; did you mean 'vtk'?; allowed: vtk, csv");
+  expect_error({"export", out(), "-o", out("d")}, "--to is required");
+  EXPECT_NE(call({"export", out(), "--to", "vtk", "-o", out("d")}).out.find("result.pvd"), std::string::npos);
+  EXPECT_EQ(call({"plot", out(), "-o", out("one.png"), "--observable", "total_L"}).code, exit_done);
+  EXPECT_TRUE(std::filesystem::exists(out("one.png")));
+  const auto all = call({"plot", out(), "-o", out("pictures"), "--field", "L", "--time", "all"});
+  EXPECT_NE(all.out.find("field_L_00003.png"), std::string::npos) << all.out << all.err;
+}
+
 }  // namespace
 }  // namespace shmoo::run

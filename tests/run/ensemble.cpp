@@ -2,6 +2,7 @@
 #include "run/ensemble.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -188,6 +189,31 @@ TEST(Ensemble, PlacesThatCannotBeWrittenAreRefusedFirst) {
   EXPECT_THROW(require_writable("/proc/out.h5"), base::InputError);
   EXPECT_NO_THROW(require_writable(scratch / "out.h5"));
   EXPECT_FALSE(std::filesystem::exists(scratch / "out.h5"));
+}
+
+// A file that may not grow stands for a disk that fills up in the middle of an ensemble.
+TEST(Ensemble, ADiskThatFillsUpKeepsTheLastGoodFile) {
+  const Scratch scratch;
+  run_fake(scratch / "d.h5", 3, 1);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{std::filesystem::file_size(scratch / "d.h5") - 2000, RLIM_INFINITY};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    FakeExperiment experiment;
+    try {
+      run_ensemble(experiment, {.output = scratch / "d.h5", .realisations = 9, .resume = true, .write_interval = 0});
+    } catch (const base::RunError& error) {
+      _exit(std::string(error.what()).find("d.h5.part") != std::string::npos ? 7 : 8);
+    }
+    _exit(9);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(glance_at(scratch / "d.h5").done, 3u);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "d.h5.part"));
 }
 
 TEST(Ensemble, AFullDiskIsAnErrorOfTheRun) {

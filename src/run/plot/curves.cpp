@@ -13,8 +13,6 @@
 namespace shmoo::run {
 namespace {
 
-constexpr int width = 900, height = 560;
-
 std::string percent(double p) { return fmt::format("{:g} %", 100 * p); }
 
 // Head, labels and a range with some air.
@@ -22,18 +20,7 @@ std::string frame(const Curve& curve, const std::string& unit, std::span<const d
   auto range = range_of(shown, false);
   if (range.low >= 0 && range.low < 0.5 * range.high) range.low = 0;
   const double air = 0.05 * (range.high - range.low);
-  auto script = axes_style();
-  script += fmt::format("set label 1 {} at screen 0.016,0.965 left font ',13' textcolor rgb '#111111'\n",
-                        quoted(curve.heading));
-  script += fmt::format("set label 2 {} at screen 0.016,0.915 left font ',11' textcolor rgb '#444444'\n",
-                        quoted(curve.title));
-  script +=
-      "set tmargin at screen 0.82\nset bmargin at screen 0.12\nset lmargin at screen 0.115\nset rmargin at screen "
-      "0.97\n";
-  script +=
-      "set key at screen 0.97,0.875 right center horizontal maxrows 1 samplen 2 spacing 1.1 font ',10' textcolor rgb "
-      "'#333333'\n";
-  script += "set autoscale xfix\nset grid back lw 0.5 lc rgb '#e6e6e6'\n";
+  auto script = curve_style(curve.heading, curve.title);
   script += fmt::format("set xlabel {}\nset ylabel {} offset 0.5,0\nset yrange [{}:{}]\n", quoted(curve.x_label),
                         quoted(with_unit(curve.name, unit)), range.low == 0 ? 0 : range.low - air, range.high + air);
   return script;
@@ -82,7 +69,7 @@ void draw_curve(const Curve& curve, const std::filesystem::path& png) {
   gnuplot.table("mean", columns);
   add(fmt::format("'mean' using 1:2 with {} lw 2 lc rgb '{}' pt 7 ps 0.5 {}", curve.points ? "linespoints" : "lines",
                   main_colour, curve.y.error.empty() ? "notitle" : "title 'mean'"));
-  gnuplot.draw(frame(curve, reading.unit, shown) + plot + "\n", width, height, png);
+  gnuplot.draw(frame(curve, reading.unit, shown) + plot + "\n", curve_width, curve_height, png);
 }
 
 void plot_line(const ResultFile& result, const Entry& field, std::size_t time, const std::filesystem::path& png) {

@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "run/plot/gnuplot.hpp"
+
 namespace shmoo::run {
 namespace {
 
@@ -135,6 +137,19 @@ double largest_magnitude(std::span<const double> values) {
 std::string axes_style() {
   return "set border 3 lw 0.8 lc rgb '#555555'\nset tics out nomirror scale 0.6 textcolor rgb '#333333'\n"
          "set xlabel textcolor rgb '#333333'\nset ylabel textcolor rgb '#333333'\n";
+}
+
+std::string curve_style(const std::string& heading, const std::string& title) {
+  auto script = axes_style();
+  script +=
+      fmt::format("set label 1 {} at screen 0.016,0.965 left font ',13' textcolor rgb '#111111'\n", quoted(heading));
+  script +=
+      fmt::format("set label 2 {} at screen 0.016,0.915 left font ',11' textcolor rgb '#444444'\n", quoted(title));
+  return script +
+         "set tmargin at screen 0.82\nset bmargin at screen 0.12\nset lmargin at screen 0.115\nset rmargin at screen "
+         "0.97\n"
+         "set key at screen 0.97,0.875 right center horizontal maxrows 1 samplen 2 font ',10' textcolor rgb '#333333'\n"
+         "set autoscale xfix\nset grid back lw 0.5 lc rgb '#e6e6e6'\n";
 }
 
 }  // namespace shmoo::run

@@ -40,4 +40,8 @@ double largest_magnitude(std::span<const double> values);  // of the finite ones
 // Script lines for axes in a quiet style.
 std::string axes_style();
 
+// The same with the margins, heading and key that all pictures of curves share, on a canvas of this size.
+inline constexpr int curve_width = 900, curve_height = 560;  // [pixels]
+std::string curve_style(const std::string& heading, const std::string& title);
+
 }  // namespace shmoo::run

@@ -10,10 +10,10 @@ namespace shmoo::rdme {
 
 // One attempt at an event: what it needs of chance.
 struct Attempts {
-  static constexpr std::size_t size = 16;
-  std::array<double, size> wait;         // exponential, mean 1
-  std::array<double, size> choice;       // uniform in (0, 1), 52 bits
-  std::array<std::uint32_t, size> word;  // for a jump's target
+  static constexpr std::size_t size = 32;
+  alignas(64) std::array<double, size> wait;  // exponential, mean 1
+  std::array<double, size> choice;            // uniform in (0, 1), 52 bits
+  std::array<std::uint32_t, size> word;       // for a jump's target
 };
 
 // An endless row of attempts at one address.
@@ -25,7 +25,7 @@ class AttemptSequence {
   void next(Attempts& attempts);
 
  private:
-  static constexpr std::size_t blocks = 6 * Attempts::size / 4;  // six words an attempt; the last is not used
+  static constexpr std::size_t blocks = 5 * Attempts::size / 4;  // five words an attempt
 
   base::RandomKey key_;
   base::Stream stream_;

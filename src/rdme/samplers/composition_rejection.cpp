@@ -2,10 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
+#include <utility>
+
 #include "base/error.hpp"
 #include "rdme/samplers/events.hpp"
 
 namespace shmoo::rdme {
+namespace {
+
+constexpr std::uint32_t nobody = 0xFFFFFFFF;  // no voxel
+
+}  // namespace
 
 CompositionRejection::CompositionRejection(const Network& network)
     : network_(network),
@@ -79,49 +88,77 @@ void CompositionRejection::advance(double t, double dt, Process process, const b
   if (!derived_) derive_all();
   AttemptSequence sequence(key, base::Stream::stochastic_exact, step);
   Attempts attempts;
-  double left = dt;
-  while (left > 0 && groups_.sum() > 0) {
-    sequence.next(attempts);
-    prefetch(attempts);
-    for (std::size_t k = 0; k < Attempts::size && groups_.sum() > 0; ++k) {
-      left -= attempts.wait[k] / groups_.sum();
-      if (left <= 0) break;
-      const Groups::Pick pick = groups_.pick(attempts.choice[k]);
-      if (pick.rest < groups_.total(pick.voxel)) fire(pick.voxel, pick.rest, attempts.word[k]);
+  Look look;
+  for (double left = dt; left > 0 && groups_.sum() > 0;) {
+    if (look.from == 0) sequence.next(attempts);
+    look_ahead(attempts, left, look);
+    left = look.left[look.to - 1];
+    look.from = look.to % Attempts::size;
+    for (std::uint64_t bits = look.accepted; bits != 0; bits &= bits - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+      const std::uint32_t voxel = std::exchange(look.voxel[k], nobody);
+      const std::uint32_t other = fire(voxel, look.rest[k], attempts.word[k], look.target[k]);
+      if (look.version == groups_.version() && !touched(look, voxel, other)) continue;
+      left = look.left[k];
+      look.from = (k + 1) % Attempts::size;
+      break;
     }
   }
   close_books();
 }
 
-// Where the coming attempts are likely to lead, as the groups stand now: has the memory bring it while others are at
-// work.
-void CompositionRejection::prefetch(const Attempts& attempts) const {
+// Picks, decisions and the memory that they will need. What lies beyond the end of the step is left out.
+void CompositionRejection::look_ahead(const Attempts& attempts, double left, Look& look) {
   const JumpTable* const table = species_ > 0 && diffusion_ ? table_[0] : nullptr;
-  std::array<std::uint32_t, Attempts::size> voxel;
-  for (std::size_t k = 0; k < Attempts::size; ++k) {
-    voxel[k] = groups_.pick(attempts.choice[k]).voxel;
-    groups_.prefetch(voxel[k]);
-    __builtin_prefetch(count_ + voxel[k] * species_, 1);
-    __builtin_prefetch(leave_ + voxel[k] * species_);
-    if (table) table->prefetch(voxel[k]);
+  const std::size_t window = std::clamp<std::size_t>(groups_.occupied() / 32, 1, Attempts::size);
+  look.version = groups_.version();
+  look.to = std::min(look.from + window, Attempts::size);
+  look.accepted = 0;
+  look.voxel.fill(nobody);
+  const double mean = 1.0 / groups_.sum();
+  for (std::size_t k = look.from; k < look.to; ++k) {
+    look.left[k] = left -= attempts.wait[k] * mean;
+    const Groups::Pick pick = groups_.pick(attempts.choice[k]);
+    look.voxel[k] = pick.voxel;
+    look.rest[k] = pick.rest;
+    groups_.prefetch(pick.voxel);
+    __builtin_prefetch(count_ + pick.voxel * species_, 1);
+    __builtin_prefetch(leave_ + pick.voxel * species_);
+    if (table) table->prefetch(pick.voxel);
   }
-  if (!table) return;
-  for (std::size_t k = 0; k < Attempts::size; ++k) {
-    const std::uint32_t target = table->empty(voxel[k]) ? voxel[k] : table->target(voxel[k], attempts.word[k]);
-    if (target == voxels_->size()) continue;
-    groups_.prefetch(target);
-    __builtin_prefetch(count_ + target * species_, 1);
-    __builtin_prefetch(leave_ + target * species_);
+  for (std::size_t k = look.from; k < look.to; ++k) {
+    const bool accepted = look.left[k] > 0 && look.rest[k] < groups_.total(look.voxel[k]);
+    look.accepted |= std::uint64_t{accepted} << k;
+  }
+  for (std::uint64_t bits = table ? look.accepted : 0; bits != 0; bits &= bits - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    const std::uint32_t voxel = look.voxel[k];
+    look.target[k] = table->empty(voxel) ? voxel : table->target(voxel, attempts.word[k]);
+    if (look.target[k] == voxels_->size()) continue;
+    groups_.prefetch(look.target[k]);
+    __builtin_prefetch(count_ + look.target[k] * species_, 1);
+    __builtin_prefetch(leave_ + look.target[k] * species_);
   }
 }
 
-void CompositionRejection::fire(std::uint32_t voxel, double rest, std::uint32_t word) {
+// Is one of the attempts that were looked at about one of two voxels?
+bool CompositionRejection::touched(const Look& look, std::uint32_t voxel, std::uint32_t other) const {
+  unsigned any = 0;
+  for (std::uint32_t one : look.voxel) any |= static_cast<unsigned>(one == voxel) | static_cast<unsigned>(one == other);
+  return any != 0;
+}
+
+// What an event of the voxel is, and its second voxel (or the same). `guess`: a jump's target by the first species'
+// rows.
+std::uint32_t CompositionRejection::fire(std::uint32_t voxel, double rest, std::uint32_t word, std::uint32_t guess) {
   if (diffusion_) {
     const double* const leave = leave_ + voxel * species_;
     const std::int64_t* const count = count_ + voxel * species_;
     for (std::size_t s = 0; s < species_; ++s) {
       const double rate = leave[s] * static_cast<double>(count[s]);
-      if (rest < rate) return jump(voxel, static_cast<int>(s), word);
+      if (rest < rate) {
+        return jump(voxel, static_cast<int>(s), table_[s] == table_[0] ? guess : table_[s]->target(voxel, word));
+      }
       rest -= rate;
     }
     for (std::size_t s = 0; entry_ && s < species_; ++s) {
@@ -130,32 +167,37 @@ void CompositionRejection::fire(std::uint32_t voxel, double rest, std::uint32_t 
         ++count_[voxel * species_ + s];
         ++state_->ledger.counts[s].entered;
         species_changed(voxel, static_cast<int>(s));
-        return refresh(voxel);
+        refresh(voxel);
+        return voxel;
       }
       rest -= rate;
     }
   }
-  if (!reaction_) return;  // round-off at the end of a sum: nothing happens
+  if (!reaction_) return voxel;  // round-off at the end of a sum: nothing happens
   for (int r : network_.sampled_in(voxels_->material[voxel])) {
     const double rate = value_[voxel * reactions_ + r];
-    if (rest < rate) return react(voxel, r);
+    if (rest < rate) {
+      react(voxel, r);
+      return voxel;
+    }
     rest -= rate;
   }
+  return voxel;
 }
 
-void CompositionRejection::jump(std::uint32_t voxel, int species, std::uint32_t word) {
-  const std::uint32_t target = table_[species]->target(voxel, word);
+std::uint32_t CompositionRejection::jump(std::uint32_t voxel, int species, std::uint32_t target) {
   --count_[voxel * species_ + species];
   species_changed(voxel, species);
   refresh(voxel);
   if (target == voxels_->size()) {
     ++state_->ledger.counts[species].left;
-    return;
+    return voxel;
   }
   ++count_[target * species_ + species];
   ++state_->jump_events;
   species_changed(target, species);
   refresh(target);
+  return target;
 }
 
 void CompositionRejection::react(std::uint32_t voxel, int reaction) {

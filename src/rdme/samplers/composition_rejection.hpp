@@ -27,9 +27,19 @@ class CompositionRejection final : public Sampler {
   void derive_all();
   void refresh(std::uint32_t voxel);
   void species_changed(std::uint32_t voxel, int species);
-  void prefetch(const Attempts& attempts) const;
-  void fire(std::uint32_t voxel, double rest, std::uint32_t word);
-  void jump(std::uint32_t voxel, int species, std::uint32_t word);
+  // Coming attempts [from, to) as they stand now.
+  struct Look {
+    alignas(64) std::array<std::uint32_t, Attempts::size> voxel;
+    std::array<std::uint32_t, Attempts::size> target;  // of a jump by the first species' rows
+    std::array<double, Attempts::size> rest, left;     // of a pick; of the step's time [s] once the attempt is made
+    std::uint64_t accepted = 0;                        // bits
+    std::size_t from = 0, to = 0;
+    std::uint64_t version = 0;
+  };
+  void look_ahead(const Attempts& attempts, double left, Look& look);
+  bool touched(const Look& look, std::uint32_t voxel, std::uint32_t other) const;
+  std::uint32_t fire(std::uint32_t voxel, double rest, std::uint32_t word, std::uint32_t guess);
+  std::uint32_t jump(std::uint32_t voxel, int species, std::uint32_t target);
   void react(std::uint32_t voxel, int reaction);
   void close_books();
 

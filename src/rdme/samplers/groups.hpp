@@ -26,12 +26,13 @@ class Groups {
   void set(std::uint32_t voxel, double total) {
     Entry& entry = entries_[voxel];
     entry.total = total;
-    const std::uint32_t group = total > 0 ? exponent(total) : none;
-    if (group != entry.group) move(voxel, group);
+    if (total >= entry.above || total < entry.low) move(voxel, total > 0 ? exponent(total) : none);
   }
 
   double total(std::uint32_t voxel) const { return entries_[voxel].total; }
-  double sum() const { return sum_; }  // [1/s] of all masses
+  double sum() const { return sum_; }                 // [1/s] of all masses
+  std::size_t occupied() const { return occupied_; }  // voxels of total > 0
+  std::uint64_t version() const { return version_; }  // changes where a voxel changes its group
 
   // By a uniform number in (0, 1). The sum must not be 0.
   Pick pick(double uniform) const {
@@ -53,8 +54,10 @@ class Groups {
   static constexpr std::uint32_t none = 2047;  // not a finite number's exponent
   struct Entry {
     double total = 0;
+    double low = 0, above = 0x1p-1074;  // where the group holds: low <= total < above; outside all groups: total == 0
     std::uint32_t group = none, place = 0;
   };
+  static constexpr double least_share = 0.35;  // of 2^e
 
   static std::uint32_t exponent(double x) { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 52); }
   // 2^e above all totals of a group, and its inverse. Rates beyond 2^1000 are refused elsewhere.
@@ -68,6 +71,8 @@ class Groups {
   std::array<std::vector<std::uint32_t>, 2048> members_;
   std::uint32_t lowest_ = 0, highest_ = 0;  // groups that may have members
   double sum_ = 0;
+  std::size_t occupied_ = 0;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace shmoo::rdme

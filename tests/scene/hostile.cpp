@@ -8,7 +8,10 @@
 namespace shmoo::scene {
 namespace {
 
-const std::string sketch = read_bytes(SHMOO_SOURCE_DIR "/tests/data/yeast-sketch.toml");
+const std::string data = SHMOO_SOURCE_DIR "/tests/data/";
+const std::string sketch = read_bytes(data + "yeast-sketch.toml");
+const std::vector<std::string> originals{sketch, read_bytes(data + "good-models/reactions-2d.toml"),
+                                         read_bytes(data + "good-models/flow-3d.toml")};
 
 // True where the text is a model.
 bool loads(const std::string& text) {
@@ -33,7 +36,7 @@ TEST(Hostile, EveryTruncation) {
 TEST(Hostile, DamagedBytes) {
   for (std::uint64_t round = 0; round < 8000; ++round) {
     base::RandomSequence random({}, base::Stream::test, round);
-    std::string text = sketch;
+    std::string text = originals[round % originals.size()];
     const std::size_t damages = 1 + below(random, 4);
     for (std::size_t i = 0; i < damages; ++i) text[below(random, text.size())] = static_cast<char>(below(random, 256));
     loads(text);
@@ -86,9 +89,13 @@ TEST(Hostile, ForeignValues) {
                                         "{ expression = \"x\" }",
                                         "{ a = { b = 1 } }",
                                         "[{ shape = \"union\" }]"};
-  for (std::size_t at = sketch.find(" = "); at != std::string::npos; at = sketch.find(" = ", at + 1)) {
-    const std::size_t end = sketch.find('\n', at);
-    for (const auto& value : values) loads(sketch.substr(0, at + 3) + value + sketch.substr(end));
+  for (const std::string& original : originals) {
+    for (std::size_t at = original.find(" = "); at != std::string::npos; at = original.find(" = ", at + 1)) {
+      const std::size_t end = original.find('\n', at);
+      // Every third value, beginning elsewhere at each place: all of them meet keys of every kind.
+      for (std::size_t i = at % 3; i < values.size(); i += 3)
+        loads(original.substr(0, at + 3) + values[i] + original.substr(end));
+    }
   }
 }
 

@@ -67,10 +67,7 @@ class ExperimentOf final : public Experiment {
         return true;
       });
       if (!finished) return false;
-      if (timeline->steady_since() >= 0.0) {
-        derived_.push_back(
-            {"flow_steady_since", timeline->steady_since(), "s", "from then on the flow is carried, not computed"});
-      }
+      derive(*timeline);
     }
     return random() ? true : tell(0, sink, progress, alike_);
   }
@@ -112,6 +109,20 @@ class ExperimentOf final : public Experiment {
     auto flow = scene_->effects.flow ? make_live_flow<D>(*scene_, key) : nullptr;
     return std::make_unique<Timeline<D>>(*scene_, stages_, recorder_.layout().times, step_, std::move(flow),
                                          voxel_positions(filling_), filling_.cell);
+  }
+
+  void derive(const Timeline<D>& timeline) {
+    if (timeline.steady_since() >= 0.0) {
+      derived_.push_back(
+          {"flow steady since", timeline.steady_since(), "s", "from then on it is carried, not computed"});
+    }
+    if (!geometry_.carries()) return;
+    const double deviation = timeline.capacity_deviation();
+    derived_.push_back(
+        {"largest change of a voxel's capacity", deviation, "1",
+         deviation > 0.2 ? "WARNING: above 0.2 concentrations lose accuracy; use a smaller spacing or, for a flow that "
+                           "becomes steady, numerics.steady_tolerance"
+                         : "by the volume that passed between particles; below 0.2 is good"});
   }
 
   void record_flow(const Interval<D>& interval, RecordSink& sink) const {

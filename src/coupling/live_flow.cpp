@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "hydro/fluid.hpp"
+#include "hydro/steadiness.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -22,7 +23,7 @@ class FluidInMotion final : public LiveFlow<D> {
       : FluidInMotion(scene, sph::fill<D>(scene), key) {}
 
   double interval() const override {
-    const double speed = std::max(fluid_.max_speed(), 1e-3 * fluid_.scales().speed);
+    const double speed = std::max(fluid_.max_speed(), fluid_.scales().speed);
     return speed > 0.0 ? most_movement * fluid_.scales().spacing / speed : std::numeric_limits<double>::infinity();
   }
 
@@ -66,13 +67,16 @@ class FluidInMotion final : public LiveFlow<D> {
 
  private:
   FluidInMotion(const scene::Scene& scene, sph::Filling<D> filling, const base::RandomKey& key)
-      : voxels_(filling.voxels), fluid_(scene, std::move(filling), key), tolerance_(scene.numerics.steady_tolerance) {
+      : voxels_(filling.voxels),
+        fluid_(scene, std::move(filling), key),
+        tolerance_(scene.numerics.steady_tolerance),
+        steadiness_(fluid_) {
     const auto& scales = fluid_.scales();
     const double crossing = scales.speed > 0.0 ? scales.length / scales.speed : std::numeric_limits<double>::infinity();
     const double nu = scales.kinematic_viscosity();
     const double viscous = nu > 0.0 ? scales.length * scales.length / nu : crossing;
     window_ = part_of_time_scale * std::min(crossing, viscous);
-    if (tolerance_) last_look_ = by_id([&](std::size_t i) { return fluid_.velocity(i); });
+    if (tolerance_) steadiness_.measure(fluid_);
   }
 
   // What voxel particles have, by id; get(i) takes the particle's place in the store.
@@ -86,18 +90,14 @@ class FluidInMotion final : public LiveFlow<D> {
     return values;
   }
 
-  // Steady: over a quarter of the shortest time scale of the flow (crossing or viscous), the velocity field changed by
-  // less than the tolerance in the root mean square.
+  // Steady: over a quarter of the shortest time scale of the flow (crossing or viscous) the velocity field, at fixed
+  // places, changed by less than the tolerance in the root mean square.
   void look() {
     if (!tolerance_ || fluid_.time() - looked_at_ < window_) return;
-    const std::vector<Vec> now = by_id([&](std::size_t i) { return fluid_.velocity(i); });
-    double change = 0.0, size = 0.0;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      change += (now[i] - last_look_[i]).squaredNorm();
-      size += now[i].squaredNorm();
-    }
-    steady_ = std::sqrt(change) <= *tolerance_ * std::sqrt(size);
-    last_look_ = now;
+    const auto& scales = fluid_.scales();
+    const double elapsed = fluid_.time() - looked_at_;
+    const double change = steadiness_.measure(fluid_) * elapsed * scales.speed / scales.length;
+    steady_ = change <= *tolerance_;
     looked_at_ = fluid_.time();
   }
 
@@ -105,7 +105,7 @@ class FluidInMotion final : public LiveFlow<D> {
   hydro::Fluid<D> fluid_;
   std::optional<double> tolerance_;
   double window_ = 0, looked_at_ = 0;
-  std::vector<Vec> last_look_;
+  hydro::Steadiness<D> steadiness_;
   bool steady_ = false;
 };
 

@@ -19,7 +19,8 @@ Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder,
       times_(times),
       chemistry_step_(chemistry_step.value),
       flow_(std::move(flow)),
-      capacity_(start.size(), cell) {
+      capacity_(start.size(), cell),
+      cell_(cell) {
   if (flow_) flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
   start_ = builder_.stage({start, start, {}, capacity_, capacity_, flow_ == nullptr});
@@ -89,6 +90,7 @@ void Timeline<D>::pass_capacity(Frame<D>& frame, const Interval<D>& interval) {
     const double change = out * (interval.end - interval.begin) / scene_.depth;
     frame.capacity[i] -= 0.5 * change;
     capacity_[i] -= change;
+    capacity_deviation_ = std::max(capacity_deviation_, std::abs(capacity_[i] / cell_ - 1.0));
     if (capacity_[i] > 0.0) continue;
     throw base::RunError(
         fmt::format("the capacity of voxel {} fell to nothing at {:g} s: the flow leaves it faster than its "

@@ -41,6 +41,9 @@ class Timeline {
   // When the flow was found steady [s]; negative: never.
   double steady_since() const { return steady_since_; }
 
+  // The largest |capacity rho/m - 1| of any voxel at any end of an interval: what passed between particles, relative.
+  double capacity_deviation() const { return capacity_deviation_; }
+
  private:
   Interval<D> next(double t, double target);
   Interval<D> next_moving(double t, double target);
@@ -55,7 +58,7 @@ class Timeline {
   std::vector<double> capacity_;                      // [m^D] now
   std::shared_ptr<const Stage<D>> start_, standing_;  // standing_: stage of all further intervals, where nothing moves
   FlowPicture<D> picture_;
-  double steady_since_ = -1.0;
+  double cell_, steady_since_ = -1.0, capacity_deviation_ = 0.0;
 };
 
 extern template class Timeline<1>;

@@ -125,7 +125,7 @@ TEST(CarriedSpecies, ASteadyFlowCarriesAndLeavesAUniformConcentrationAlone) {
   const test::Laboratory lab(scene::read_scene_text(channel, "channel.toml", {}));
   const auto derived = lab.experiment->derived();
   const auto steady =
-      std::find_if(derived.begin(), derived.end(), [](const auto& d) { return d.name == "flow_steady_since"; });
+      std::find_if(derived.begin(), derived.end(), [](const auto& d) { return d.name == "flow steady since"; });
   ASSERT_NE(steady, derived.end());
   EXPECT_LT(steady->value, 2.0);
   const auto& amount = lab.shared.at("U", 2);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace shmoo;
 
-const std::string vortices = R"(
+const std::string vortices = R"toml(
 title = "Species in Taylor-Green vortices"
 dimension = 2
 depth = "1 m"
@@ -27,9 +27,10 @@ density = "1 kg/m^3"
 viscosity = "0.01 Pa s"
 [parameters]
 k = "6.283185307179586 1/m"
-U = "1 m/s"
+speed = "1 m/s"
+c = "40000 molecules/m^3"
 [flow]
-initial_velocity = ["-U * cos(k*x) * sin(k*y)", "U * sin(k*x) * cos(k*y)"]
+initial_velocity = ["-speed * cos(k*x) * sin(k*y)", "speed * sin(k*x) * cos(k*y)"]
 [species.U]
 diffusivity = "0.001 m^2/s"
 method = "deterministic"
@@ -37,31 +38,39 @@ initial = "1000 molecules/m^3"
 [species.S]
 diffusivity = "0.001 m^2/s"
 method = "stochastic"
-initial = { expression = "40000 * (1 + cos(k*x))" }
+initial = { expression = "c * (1 + cos(k*x))" }
 [species.D]
 diffusivity = "0.001 m^2/s"
 method = "deterministic"
-initial = { expression = "40000 * (1 + cos(k*x))" }
+initial = { expression = "c * (1 + cos(k*x))" }
 [run]
 until = "0.3 s"
 record_every = "0.1 s"
-)";
+)toml";
 
-double sum(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0);
-}
+double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
 
-TEST(CarriedSpecies, AUniformConcentrationStaysUniformInAMovingFluid) {
-  const test::Laboratory lab(scene::read_scene_text(vortices, "vortices.toml", {}));
+// The largest relative deviation from uniformity at the end, and the largest change of a voxel's capacity.
+std::pair<double, double> nonuniformity(const std::string& step) {
+  const test::Laboratory lab(scene::read_scene_text(vortices, "vortices.toml", {{"numerics.splitting_step", step}}));
   const auto sink = lab.realise(0);
   const auto& volume = lab.shared.at("volume", 3);
   const auto& amount = sink.at("U", 3);
-  double changed = 0.0;
+  double deviation = 0.0, changed = 0.0;
   for (std::size_t i = 0; i < amount.size(); ++i) {
-    EXPECT_NEAR(amount[i] / volume[i], 1000.0, 0.05) << i;
+    deviation = std::max(deviation, std::abs(amount[i] / volume[i] / 1000.0 - 1.0));
     changed = std::max(changed, std::abs(volume[i] / 0.0025 - 1.0));
   }
-  EXPECT_GT(changed, 1e-4);  // volume did pass between particles
+  return {deviation, changed};
+}
+
+// Capacities change within an interval while rates stand: an error of second order in the interval.
+TEST(CarriedSpecies, AUniformConcentrationStaysUniformInAMovingFluid) {
+  const auto [coarse, changed] = nonuniformity("\"0.01 s\"");
+  const double fine = nonuniformity("\"0.005 s\"").first;
+  EXPECT_GT(changed, 0.01);  // volume did pass between particles
+  EXPECT_LT(coarse, 3e-4);
+  EXPECT_LT(fine, coarse / 3.0);
 }
 
 TEST(CarriedSpecies, AmountsAndMoleculesAreConserved) {
@@ -92,7 +101,7 @@ TEST(CarriedSpecies, TheMeanOfTheMoleculesIsTheDeterministicAmount) {
   EXPECT_GT(chi2, 0.3 * double(degrees));
 }
 
-const std::string channel = R"(
+const std::string channel = R"toml(
 title = "A blob carried along a slow channel"
 dimension = 2
 depth = "1 m"
@@ -104,6 +113,10 @@ boundary = { x = "periodic", y = "wall" }
 type = "fluid"
 density = "1 kg/m^3"
 viscosity = "1 Pa s"
+[parameters]
+from = "0.5 m"
+to = "1 m"
+c = "1000 molecules/m^3"
 [flow]
 body_force = ["0.8 m/s^2", "0 m/s^2"]
 [species.U]
@@ -113,13 +126,13 @@ initial = "1000 molecules/m^3"
 [species.B]
 diffusivity = "0.02 m^2/s"
 method = "deterministic"
-initial = { expression = "(x > 0.5) * (x < 1) * 1000" }
+initial = { expression = "(x > from) * (x < to) * c" }
 [numerics]
 steady_tolerance = 1e-2
 [run]
 until = "4 s"
 record_every = "2 s"
-)";
+)toml";
 
 TEST(CarriedSpecies, ASteadyFlowCarriesAndLeavesAUniformConcentrationAlone) {
   const test::Laboratory lab(scene::read_scene_text(channel, "channel.toml", {}));
@@ -142,7 +155,8 @@ TEST(CarriedSpecies, ASteadyFlowCarriesAndLeavesAUniformConcentrationAlone) {
     }
     return std::atan2(s, c) / M_PI;
   };
-  const double moved = phase(2) - phase(1);
+  double moved = phase(2) - phase(1);
+  if (moved < 0.0) moved += 2.0;  // the period
   EXPECT_NEAR(moved, 2.0 * 0.1 * 2.0 / 3.0, 0.02);
 }
 

@@ -62,12 +62,14 @@ TEST_P(ShippedModels, RunsForAShortWhile) {
   EXPECT_EQ(records, layout.fields.size() + layout.observables.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedModels, testing::ValuesIn(shipped_models()), [](const auto& info) {
-  std::string name = info.param;
+std::string test_name(const testing::TestParamInfo<std::string>& model) {
+  std::string name = model.param;
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedModels, testing::ValuesIn(shipped_models()), test_name);
 
 TEST(ShippedModelsList, HoldsNoModelThatIsNotShipped) {
   const auto models = shipped_models();

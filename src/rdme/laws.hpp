@@ -38,10 +38,10 @@ inline double volume_factor(int order, double volume, double inverse_volume) {
   return factor;
 }
 
-// n (n-1) ... (n-count+1)
+// n (n-1) ... (n-count+1), count >= 1
 inline double falling(std::int64_t n, int count) {
-  double product = 1.0;
-  for (int k = 0; k < count; ++k) product *= static_cast<double>(n - k);
+  double product = static_cast<double>(n);
+  for (int k = 1; k < count; ++k) product *= static_cast<double>(n - k);
   return product;
 }
 

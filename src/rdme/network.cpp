@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -44,7 +45,7 @@ Network::Network(const scene::Scene& scene)
   for (const scene::Reaction& reaction : scene.reactions) compile(reaction, scene.materials, mistakes);
   if (!mistakes.empty()) throw base::InputError(std::move(mistakes));
   sort_by_material(scene.materials.size());
-  find_dependencies();
+  find_dependencies(scene.materials.size());
 }
 
 ExpressionNames expression_names(const Network& network) {
@@ -127,19 +128,20 @@ void Network::sort_by_material(std::size_t materials) {
   }
 }
 
-void Network::find_dependencies() {
-  after_species_.resize(species_.size());
-  for (std::size_t r = 0; r < reactions_.size(); ++r) {
-    if (!reactions_[r].stochastic) continue;
-    for (int species : reactions_[r].reads) after_species_[species].push_back(static_cast<int>(r));
-  }
-  after_reaction_.resize(reactions_.size());
-  for (std::size_t r = 0; r < reactions_.size(); ++r) {
-    std::set<int> touched;
-    for (const Change& change : reactions_[r].changes) {
-      touched.insert(after_species_[change.species].begin(), after_species_[change.species].end());
+void Network::find_dependencies(std::size_t materials) {
+  for (std::size_t material = 0; material < materials; ++material) {
+    std::vector<std::vector<int>> readers(species_.size());
+    for (int r : sampled_[material]) {
+      for (int species : reactions_[r].reads) readers[species].push_back(r);
     }
-    after_reaction_[r].assign(touched.begin(), touched.end());
+    for (const Reaction& reaction : reactions_) {
+      std::set<int> touched;
+      for (const Change& change : reaction.changes) {
+        touched.insert(readers[change.species].begin(), readers[change.species].end());
+      }
+      after_reaction_.emplace_back(touched.begin(), touched.end());
+    }
+    std::ranges::move(readers, std::back_inserter(after_species_));
   }
 }
 

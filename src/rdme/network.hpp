@@ -66,10 +66,14 @@ class Network {
   std::span<const int> sampled_in(int material) const { return sampled_[material]; }
   std::span<const int> integrated_in(int material) const { return integrated_[material]; }
 
-  // Sampled reactions whose propensity one event of `reaction` changes, or one molecule of `species` more or less,
-  // ascending.
-  std::span<const int> after_reaction(int reaction) const { return after_reaction_[reaction]; }
-  std::span<const int> after_species(int species) const { return after_species_[species]; }
+  // Sampled reactions of a material whose propensity one event of `reaction` changes, or one molecule of `species` more
+  // or less, ascending.
+  std::span<const int> after_reaction(int reaction, int material) const {
+    return after_reaction_[material * reactions_.size() + reaction];
+  }
+  std::span<const int> after_species(int species, int material) const {
+    return after_species_[material * species_.size() + species];
+  }
 
   bool any_sampled() const { return any_sampled_; }
   bool any_integrated() const { return any_integrated_; }
@@ -82,7 +86,7 @@ class Network {
   void find_materials(const scene::Reaction& from, const std::vector<scene::Material>& materials, Reaction& reaction,
                       std::vector<base::Diagnostic>& mistakes) const;
   void sort_by_material(std::size_t materials);
-  void find_dependencies();
+  void find_dependencies(std::size_t materials);
 
   std::vector<scene::Species> species_;
   std::vector<std::pair<std::string, double>> parameters_;

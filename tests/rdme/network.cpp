@@ -38,11 +38,12 @@ TEST(Network, SamplesWhatChangesAStochasticSpecies) {
 
 TEST(Network, KnowsWhatDependsOnWhat) {
   const Network network(receptor());
-  EXPECT_EQ(list(network.after_species(0)), (std::vector{0, 2}));
-  EXPECT_EQ(list(network.after_species(1)), (std::vector{0, 4}));
-  EXPECT_EQ(list(network.after_species(3)), (std::vector{4}));
-  EXPECT_EQ(list(network.after_reaction(0)), (std::vector{0, 1, 2, 4}));
-  EXPECT_EQ(list(network.after_reaction(2)), (std::vector{0, 2}));
+  EXPECT_EQ(list(network.after_species(0, 1)), (std::vector{0, 2}));
+  EXPECT_EQ(list(network.after_species(1, 1)), (std::vector{0, 4}));
+  EXPECT_EQ(list(network.after_species(3, 1)), (std::vector{4}));
+  EXPECT_EQ(list(network.after_reaction(0, 1)), (std::vector{0, 1, 2, 4}));
+  EXPECT_EQ(list(network.after_reaction(2, 1)), (std::vector{0, 2}));
+  EXPECT_EQ(list(network.after_species(0, 0)), (std::vector{2}));
 }
 
 TEST(Network, RefusesAllMistakesAtOnce) {

@@ -72,9 +72,8 @@ void CompositionRejection::refresh(std::uint32_t voxel) {
 
 void CompositionRejection::species_changed(std::uint32_t voxel, int species) {
   if (!reaction_) return;
-  for (int r : network_.after_species(species)) {
-    if (network_.reactions()[r].in_material[voxels_->material[voxel]])
-      value_[voxel * reactions_ + r] = propensities_(r, voxel);
+  for (int r : network_.after_species(species, voxels_->material[voxel])) {
+    value_[voxel * reactions_ + r] = propensities_(r, voxel);
   }
 }
 
@@ -110,7 +109,7 @@ void CompositionRejection::advance(double t, double dt, Process process, const b
 // Picks, decisions and the memory that they will need. What lies beyond the end of the step is left out.
 void CompositionRejection::look_ahead(const Attempts& attempts, double left, Look& look) {
   const JumpTable* const table = species_ > 0 && diffusion_ ? table_[0] : nullptr;
-  const std::size_t window = std::clamp<std::size_t>(groups_.occupied() / 32, 1, Attempts::size);
+  const std::size_t window = std::clamp<std::size_t>(groups_.occupied() / 128, 1, 16);
   look.version = groups_.version();
   look.to = std::min(look.from + window, Attempts::size);
   look.accepted = 0;
@@ -203,9 +202,8 @@ std::uint32_t CompositionRejection::jump(std::uint32_t voxel, int species, std::
 void CompositionRejection::react(std::uint32_t voxel, int reaction) {
   change_numbers(*state_, network_, network_.reactions()[reaction], voxel);
   ++events_[reaction];
-  const std::uint16_t material = voxels_->material[voxel];
-  for (int r : network_.after_reaction(reaction)) {
-    if (network_.reactions()[r].in_material[material]) value_[voxel * reactions_ + r] = propensities_(r, voxel);
+  for (int r : network_.after_reaction(reaction, voxels_->material[voxel])) {
+    value_[voxel * reactions_ + r] = propensities_(r, voxel);
   }
   refresh(voxel);
 }

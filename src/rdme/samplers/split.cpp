@@ -64,9 +64,7 @@ void Split::react(std::uint32_t voxel, double dt, base::RandomSequence& random, 
     }
     change_numbers(*state_, network_, network_.reactions()[fires], voxel);
     ++events_[fires];
-    for (int r : network_.after_reaction(fires)) {
-      if (network_.reactions()[r].in_material[material]) value_[r] = propensities_(r, voxel);
-    }
+    for (int r : network_.after_reaction(fires, material)) value_[r] = propensities_(r, voxel);
     sum = 0;
     for (int r : running) sum += value_[r];
   }

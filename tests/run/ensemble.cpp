@@ -112,7 +112,7 @@ TEST(Ensemble, AnInterruptKeepsWhatIsDoneAndCanGoOn) {
   const Scratch scratch;
   FakeExperiment interrupted;
   interrupted.before = [](std::uint32_t k) {
-    if (k == 4) std::raise(SIGINT);
+    if (k == 4) std::raise(SIGINT), std::raise(SIGINT);
   };
   const auto end = run_ensemble(interrupted, {.output = scratch / "i.h5", .realisations = 9, .threads = 2});
   EXPECT_TRUE(end.interrupted);

@@ -106,11 +106,11 @@ void plot_around(const ResultFile& result, const Entry& field, std::size_t time,
         "'particles' using 1:3:(0):($4-$3) with vectors nohead lw {} lc rgb '#c3dae1' title {}, ", many ? 1.5 : 7,
         quoted(fmt::format("{:g} % to {:g} %", 100 * field.probabilities.front(), 100 * field.probabilities.back())));
   }
-  script += fmt::format(
-      "'course' using 1:2 with lines lw 2 lc rgb '{}' {}, 'particles' using 1:2 with points pt 7 ps {} lc rgb '{}' "
-      "title "
-      "'mean of a particle'\n",
-      accent_colour, many ? "title 'mean of a sector'" : "notitle", many ? 0.7 : 1.1, main_colour);
+  const auto dots = fmt::format("'particles' using 1:2 with points pt 7 ps {} lc rgb '{}' title 'mean of a particle'",
+                                many ? 0.5 : 1.1, main_colour);
+  const auto line = fmt::format("'course' using 1:2 with lines lw {} lc rgb '{}' {}", many ? 3 : 2, accent_colour,
+                                many ? "title 'mean of a sector'" : "notitle");
+  script += many ? dots + ", " + line + "\n" : line + ", " + dots + "\n";
   gnuplot.draw(script, curve_width, curve_height, png);
 }
 

@@ -85,7 +85,7 @@ class ExperimentOf final : public Experiment {
         network_(*scene_),
         filling_(sph::fill<D>(*scene_)),
         geometry_(*scene_, filling_.box, voxel_materials(filling_),
-                  scene_->numerics.reach * filling_.spacing.maxCoeff()),
+                  scene_->numerics.reach * filling_.spacing.maxCoeff(), filling_.cell),
         stages_(geometry_, *scene_, network_),
         has_chemistry_(network_.species() > 0),
         flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),

@@ -8,11 +8,14 @@ namespace shmoo::coupling {
 
 template <int D>
 struct Frame {
-  std::vector<base::Vec<D>> position;    // [m], in the middle of the interval
-  std::vector<base::Vec<D>> arrival;     // [m], at its end
-  std::vector<base::Vec<D>> drift;       // [m/s], mean transport minus fluid velocity; empty where nothing is carried
-  std::vector<double> capacity;          // [m^D] what each voxel holds, in the middle of the interval
-  std::vector<double> arrival_capacity;  // [m^D], at its end
+  std::vector<base::Vec<D>> position;  // [m], in the middle of the interval
+  std::vector<base::Vec<D>> arrival;   // [m], at its end
+  std::vector<base::Vec<D>> drift;     // [m/s], mean transport minus fluid velocity; empty where nothing is carried
+  std::vector<double>
+      departure_capacity;        // [m^D] what each voxel holds at the beginning; sets the volume that is carried
+  std::vector<double> capacity;  // [m^D], in the middle
+  std::vector<double> arrival_capacity;  // [m^D], at the end
+  double relaxation = 0;                 // [m^2/s] diffusivity of capacity between voxels that carry; 0 where steady
   bool steady = false;                   // nothing changes any more: the frame serves every later interval, too
 };
 

@@ -40,11 +40,12 @@ void attach_flow(const rdme::JumpGraph& carrying, rdme::JumpGraph& graph) {
 
 template <int D>
 Geometry<D>::Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material,
-                      double reach)
+                      double reach, double cell)
     : scene_(scene),
       box_(box),
       material_(std::move(material)),
-      kernel_(sph::make_kernel<D>(scene.numerics.kernel, reach)) {
+      kernel_(sph::make_kernel<D>(scene.numerics.kernel, reach)),
+      cell_(cell) {
   if (scene.effects.flow && scene.effects.species_advection) {
     carried_.assign(scene.materials.size(), false);
     for (const auto& species : scene.species) {
@@ -98,19 +99,28 @@ void Geometry<D>::find_habitats() {
 }
 
 template <int D>
-rdme::JumpGraph Geometry<D>::carrying_graph(const std::vector<base::Vec<D>>& position,
-                                            const std::vector<double>& capacity, const std::vector<base::Vec<D>>& drift,
-                                            bool steady) const {
+rdme::JumpGraph Geometry<D>::carrying_graph(const Frame<D>& frame) const {
   const std::vector<bool> none(scene_.materials.size(), false);
   const rdme::Habitat habitat{carried_, none, none, carried_, {}};
-  const rdme::Places<D> places{position, capacity, drift, material_};
+  const rdme::Places<D> places{frame.position, frame.departure_capacity, frame.drift, material_};
   auto graph = rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat).graph;
-  if (steady) {
-    std::vector<double> volume(capacity);
-    for (double& v : volume) v *= scene_.depth;
+  std::vector<double> volume(frame.departure_capacity);
+  for (double& v : volume) v *= scene_.depth;
+  if (frame.steady)
     rdme::make_divergence_free(graph, volume);
-  }
+  else
+    relax(graph, volume, frame.relaxation);
   return graph;
+}
+
+template <int D>
+void Geometry<D>::relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const {
+  for (std::size_t i = 0; i < volume.size(); ++i) {
+    for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) {
+      const double excess = (volume[i] - volume[graph.target[p]]) / (cell_ * scene_.depth);
+      graph.flow[p] += relaxation * volume[i] * graph.coupling[p] * excess;
+    }
+  }
 }
 
 template <int D>
@@ -123,7 +133,7 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
     for (int a = 0; a < D; ++a) place[a] = frame.position[i][a];
   }
   rdme::JumpGraph carrying;
-  if (!frame.drift.empty()) carrying = carrying_graph(frame.position, frame.capacity, frame.drift, frame.steady);
+  if (!frame.drift.empty()) carrying = carrying_graph(frame);
   voxels.graph_of_species = habitat_of_species_;
   const rdme::Places<D> places{frame.position, frame.capacity, {}, material_};
   std::vector<rdme::HabitatGraph> graphs;

@@ -16,8 +16,9 @@ namespace shmoo::coupling {
 template <int D>
 class Geometry {
  public:
-  // `material` by voxel. The scene must outlive the geometry.
-  Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material, double reach);
+  // `material` by voxel; `cell` [m^D] what a particle fills. The scene must outlive the geometry.
+  Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material, double reach,
+           double cell);
 
   // Whether any species is carried by the fluid.
   bool carries() const { return !carried_.empty(); }
@@ -25,14 +26,17 @@ class Geometry {
   // Where nothing carries and the particles rest, pass a frame without drift.
   rdme::Voxels voxels(const Frame<D>& frame) const;
 
-  // What the fluid carries between voxels [m^3/s] for areas as given; flow summed to zero where `steady`.
-  rdme::JumpGraph carrying_graph(const std::vector<base::Vec<D>>& position, const std::vector<double>& capacity,
-                                 const std::vector<base::Vec<D>>& drift, bool steady) const;
+  // What passes between voxels [m^3/s]: what the fluid carries, and a flow from fuller to emptier voxels that keeps
+  // capacities near what the particles fill (it carries species along, so it changes no uniform concentration and
+  // conserves all). In a steady frame only what the fluid carries, summed to zero in every voxel. The frame must have a
+  // drift.
+  rdme::JumpGraph carrying_graph(const Frame<D>& frame) const;
 
   const std::vector<std::uint16_t>& material() const { return material_; }
 
  private:
   void find_habitats();
+  void relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const;
   void add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const;
   void add_sponge_exchanges(std::size_t species, rdme::Voxels& voxels) const;
   bool lives_in(std::size_t species, std::uint16_t material) const;
@@ -41,6 +45,7 @@ class Geometry {
   base::Box<D> box_;
   std::vector<std::uint16_t> material_;
   sph::AnyKernel<D> kernel_;
+  double cell_;
   std::vector<bool> carried_;  // [materials]; empty where nothing is carried
   std::vector<rdme::Habitat> habitats_;
   std::vector<int> habitat_of_species_;  // -1: neither diffuses nor is carried

@@ -23,7 +23,7 @@ Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder,
       cell_(cell) {
   if (flow_) flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
-  start_ = builder_.stage({start, start, {}, capacity_, capacity_, flow_ == nullptr});
+  start_ = builder_.stage({start, start, {}, capacity_, capacity_, capacity_, 0.0, flow_ == nullptr});
   if (!flow_) standing_ = start_;
 }
 
@@ -70,7 +70,9 @@ Interval<D> Timeline<D>::next_moving(double t, double target) {
   }
   Frame<D> frame;
   flow_->advance(interval.end, &frame);
-  frame.capacity = capacity_;
+  frame.departure_capacity = frame.capacity = capacity_;
+  // A voxel that is too full by a grid-scale pattern relaxes within a few intervals of the flow.
+  frame.relaxation = scene_.domain.spacing * scene_.domain.spacing / (16.0 * flow_->interval());
   if (builder_.geometry().carries())
     pass_capacity(frame, interval);
   else
@@ -83,7 +85,7 @@ Interval<D> Timeline<D>::next_moving(double t, double target) {
 // Volume that passes between voxels changes their capacities: halfway in the frame, wholly in capacity_.
 template <int D>
 void Timeline<D>::pass_capacity(Frame<D>& frame, const Interval<D>& interval) {
-  const auto graph = builder_.geometry().carrying_graph(frame.position, capacity_, frame.drift, false);
+  const auto graph = builder_.geometry().carrying_graph(frame);
   for (std::size_t i = 0; i < capacity_.size(); ++i) {
     double out = 0.0;
     for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) out += graph.flow[p];
@@ -105,7 +107,7 @@ void Timeline<D>::freeze(double t) {
   steady_since_ = t;
   flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
-  Frame<D> frame{picture_.position, picture_.position, {}, capacity_, capacity_, true};
+  Frame<D> frame{picture_.position, picture_.position, {}, capacity_, capacity_, capacity_, 0.0, true};
   if (builder_.geometry().carries()) {
     frame.drift = picture_.velocity;
     for (auto& v : frame.drift) v = -v;

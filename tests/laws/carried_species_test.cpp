@@ -52,7 +52,7 @@ double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.e
 
 // The largest relative deviation from uniformity at the end, and the largest change of a voxel's capacity.
 std::pair<double, double> nonuniformity(const std::string& step) {
-  const test::Laboratory lab(scene::read_scene_text(vortices, "vortices.toml", {{"numerics.splitting_step", step}}));
+  const test::Laboratory lab(scene::read_scene_text(vortices, "vortices.toml", {{"numerics.splitting_step", step}, {"numerics.tolerance", "1e-10"}}));
   const auto sink = lab.realise(0);
   const auto& volume = lab.shared.at("volume", 3);
   const auto& amount = sink.at("U", 3);
@@ -69,7 +69,7 @@ TEST(CarriedSpecies, AUniformConcentrationStaysUniformInAMovingFluid) {
   const auto [coarse, changed] = nonuniformity("\"0.01 s\"");
   const double fine = nonuniformity("\"0.005 s\"").first;
   EXPECT_GT(changed, 0.01);  // volume did pass between particles
-  EXPECT_LT(coarse, 3e-4);
+  EXPECT_LT(coarse, 3e-5);
   EXPECT_LT(fine, coarse / 3.0);
 }
 

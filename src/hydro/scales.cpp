@@ -114,22 +114,41 @@ Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& fillin
   return best;
 }
 
+// What an inflow must push against: the pressure drop over density [m^2/s^2] of plane Poiseuille flow of mean speed U
+// along each axis that has an inflow, between the walls of the others; 0 without inflow or walls. `nu_U` [m^3/s^2].
+template <int D>
+double channel_drop(const scene::Scene& scene, double nu_U) {
+  double drop = 0.0;
+  for (const auto& inflow : scene.inflows) {
+    for (int along = 0; along < D; ++along) {
+      if (!inflow.velocity || (*inflow.velocity)[std::size_t(along)] == 0.0) continue;
+      for (int across = 0; across < D; ++across) {
+        if (across == along || is_periodic(scene, across)) continue;
+        drop = std::max(drop, 12.0 * nu_U * extent(scene, along) / (extent(scene, across) * extent(scene, across)));
+      }
+    }
+  }
+  return drop;
+}
+
 template <int D>
 void derive_sound(const scene::Scene& scene, Scales<D>& scales, std::vector<Derived>& derived) {
   const double U = scales.speed, L = scales.length, nu = scales.kinematic_viscosity();
   double force = 0.0;
   for (int a = 0; a < D; ++a) force += std::abs(scales.body_force[a]) * (is_periodic(scene, a) ? L : extent(scene, a));
-  const double terms[] = {U * U, nu * U / L, force};
-  const char* names[] = {"U^2", "nu U/L", "|f| L"};
-  const auto largest = std::size_t(std::max_element(terms, terms + 3) - terms);
+  const double terms[] = {U * U, nu * U / L, force, channel_drop<D>(scene, U * nu)};
+  const char* names[] = {"U^2", "nu U/L", "|f| L", "12 nu U l/w^2"};
+  const auto largest = std::size_t(std::max_element(terms, terms + 4) - terms);
   std::string why;
   if (scene.flow.sound_speed) {
     scales.sound_speed = *scene.flow.sound_speed;
     why = "flow.sound_speed";
   } else {
     scales.sound_speed = std::sqrt(terms[largest] / scene.flow.density_variation);
-    why = fmt::format("sqrt({}/{:g}), the largest of U^2, nu U/L, |f| L over the allowed density variation",
-                      names[largest], scene.flow.density_variation);
+    why = fmt::format(
+        "sqrt({}/{:g}), the largest of U^2, nu U/L, |f| L and, for an inflow, the "
+        "pressure drop over a channel of length l and width w, over the allowed density variation",
+        names[largest], scene.flow.density_variation);
   }
   if (!(scales.sound_speed > 0.0)) {
     throw base::InputError(

@@ -20,7 +20,9 @@ struct Description {
 struct Provenance {
   std::string host, started, updated;  // ISO 8601, UTC
   int threads = 1;
-  double seconds = 0;  // wall time of this session
+  double seconds = 0;                      // wall time of this session
+  double cpu_seconds_shared = 0;           // of what all realisations share
+  double cpu_seconds_per_realisation = 0;  // all threads, mean over those finished in this session
   std::string command;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <mutex>
@@ -22,6 +23,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+// CPU time of all threads of this process [s].
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 class Ensemble {
  public:
   Ensemble(coupling::Experiment& experiment, const EnsembleOptions& options)
@@ -30,11 +38,15 @@ class Ensemble {
         description_(experiment),
         results_(experiment.layout(), experiment.scene().species.size(), options.realisations),
         collector_(results_) {
-    provenance_ = {host_name(), utc_now(), "", options.threads, 0, options.command};
+    provenance_.host = host_name();
+    provenance_.started = utc_now();
+    provenance_.threads = options.threads;
+    provenance_.command = options.command;
     if (options.resume) {
       restore_result(options.output, description_, results_);
       was_done_ = glance_at(options.output).status == "done";
     }
+    done_before_ = results_.done_count();
   }
 
   EnsembleEnd run() {
@@ -64,6 +76,7 @@ class Ensemble {
   // What all realisations share.
   bool prepare() {
     omp_set_num_threads(options_.threads);
+    const double before = cpu_seconds();
     ProgressBar bar("shared by all realisations", 1, 0, 1, options_.progress);
     Recorder recorder(results_.layout, Recorder::Source::preparation);
     coupling::Progress progress{interrupt_requested, [&](double fraction) { bar.report(0, fraction); }};
@@ -71,6 +84,7 @@ class Ensemble {
     recorder.require_complete();
     collector_.share(recorder);
     description_.derived = experiment_.derived();
+    provenance_.cpu_seconds_shared = cpu_seconds() - before;
     return true;
   }
 
@@ -82,6 +96,8 @@ class Ensemble {
     const auto workers = std::min<std::size_t>(waiting_.size(), static_cast<std::size_t>(options_.threads));
     ProgressBar bar("realisations", results_.done.size(), results_.done_count(), workers, options_.progress);
     written_ = Clock::now();
+    cpu_before_ = cpu_seconds();
+    done_before_ = results_.done_count();
     std::vector<std::jthread> threads;
     for (std::size_t w = 0; w < workers; ++w) threads.emplace_back([&, w] { work(w, workers, bar); });
   }
@@ -128,6 +144,9 @@ class Ensemble {
     collector_.at_rest([&](const Results& results) {
       provenance_.updated = utc_now();
       provenance_.seconds = seconds_since(start_);
+      const auto finished = results.done_count() - done_before_;
+      if (finished > 0)
+        provenance_.cpu_seconds_per_realisation = (cpu_seconds() - cpu_before_) / static_cast<double>(finished);
       write_result(options_.output, description_, results, status, provenance_);
     });
     written_ = Clock::now();
@@ -143,6 +162,8 @@ class Ensemble {
   bool was_done_ = false;  // the file that is resumed
   Clock::time_point start_ = Clock::now(), written_ = start_;
   double writing_took_ = 0;  // [s]
+  double cpu_before_ = 0;    // [s] when the first realisation of this session began
+  std::size_t done_before_ = 0;
   std::vector<std::uint32_t> waiting_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false}, shared_{false};

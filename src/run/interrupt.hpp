@@ -4,8 +4,8 @@
 
 namespace shmoo::run {
 
-// While one lives, SIGINT and SIGTERM only set a flag; another one later than a second after the first ends the program as usual.
-// (Batch systems and `timeout` send the same signal twice in one breath.)
+// While one lives, SIGINT and SIGTERM only set a flag; another one later than a second after the first ends the program
+// as usual. (Batch systems and `timeout` send the same signal twice in one breath.)
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -98,6 +98,8 @@ void write_provenance(hid_t file, const Provenance& provenance) {
   h5::set(group, "started", provenance.started);
   h5::set(group, "updated", provenance.updated);
   h5::set(group, "seconds", provenance.seconds);
+  h5::set(group, "cpu_seconds_shared", provenance.cpu_seconds_shared);
+  h5::set(group, "cpu_seconds_per_realisation", provenance.cpu_seconds_per_realisation);
   h5::set(group, "threads", static_cast<std::int64_t>(provenance.threads));
   h5::set(group, "command", provenance.command);
   h5::set(group, "version", build().version);

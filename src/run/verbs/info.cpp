@@ -27,6 +27,9 @@ void print_head(const ResultFile& result) {
   fmt::print("  made          {} on {}, {:.1f} s with {} threads\n", h5::get_text(provenance, "updated"),
              h5::get_text(provenance, "host"), h5::get_number(provenance, "seconds"),
              h5::get_number(provenance, "threads"));
+  fmt::print("  CPU time      {:.3g} s a realisation, {:.3g} s for what all share\n",
+             h5::get_number(provenance, "cpu_seconds_per_realisation"),
+             h5::get_number(provenance, "cpu_seconds_shared"));
   fmt::print("  particles     {} in {}-D, spacing {:.4g} m, materials {}\n", result.material.size(), result.dimension,
              result.spacing, fmt::join(result.material_names, ", "));
   if (!result.times.empty()) {

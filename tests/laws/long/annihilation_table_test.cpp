@@ -31,7 +31,7 @@ std::vector<std::vector<double>> reference(int n) {
   return columns;
 }
 
-scene::Overrides tube_at(int cells, double c0, const std::string& method) {
+scene::Overrides tube_at(int cells, double c0, const std::string& method, const std::string& until) {
   const auto number = [](double x, const char* unit) {
     char text[64];
     std::snprintf(text, sizeof text, "\"%.17g %s\"", x, unit);
@@ -47,9 +47,9 @@ scene::Overrides tube_at(int cells, double c0, const std::string& method) {
           {"boundary.2.value", number(c0, "molecules/m^3")},
           {"species.A.method", "\"" + method + "\""},
           {"species.B.method", "\"" + method + "\""},
-          {"run.until", "\"10 s\""},
+          {"run.until", "\"" + until + "\""},
           {"run.record_at", "[\"0.2 s\", \"0.4 s\", \"0.6 s\", \"0.8 s\", \"1 s\"]"},
-          {"run.record_every", "\"10 s\""},
+          {"run.record_every", "\"" + until + "\""},
           {"numerics.tolerance", "1e-8"}};
 }
 
@@ -78,15 +78,16 @@ TEST(PublishedTables, Annihilation) {
     const double dx = 1.0 / cells, c0 = 1000.0 * cells;
     const auto exact = reference(cells + 1);
     double cpu = test::cpu_seconds();
-    const auto sph = test::laboratory("validation/annihilation-1d/model.toml", tube_at(cells, c0, "deterministic"));
+    const auto sph =
+        test::laboratory("validation/annihilation-1d/model.toml", tube_at(cells, c0, "deterministic", "10 s"));
     const double cpu_sph = test::cpu_seconds() - cpu;
     cpu = test::cpu_seconds();
-    const auto ssa = test::laboratory("validation/annihilation-1d/model.toml", tube_at(cells, c0, "stochastic"));
-    std::vector<test::Moments> a(7), difference(7);
-    const int realisations = 100;
+    const auto ssa = test::laboratory("validation/annihilation-1d/model.toml", tube_at(cells, c0, "stochastic", "1 s"));
+    std::vector<test::Moments> a(6), difference(6);
+    const int realisations = level == 0 ? 100 : level == 1 ? 50 : 20;
     for (int k = 0; k < realisations; ++k) {
       const auto sink = ssa.realise(std::uint32_t(k));
-      for (std::size_t t = 1; t < 7; ++t) {
+      for (std::size_t t = 1; t < 6; ++t) {
         auto d = sink.at("A", t);
         a[t].add(sink.at("A", t));
         for (std::size_t i = 0; i < d.size(); ++i) d[i] -= sink.at("B", t)[i];
@@ -96,7 +97,7 @@ TEST(PublishedTables, Annihilation) {
     const double cpu_ssa = test::cpu_seconds() - cpu;
     std::size_t points = 0, close = 0;
     double most = 0.0;
-    for (std::size_t t = 1; t < 7; ++t) {
+    for (std::size_t t = 1; t < 6; ++t) {
       const auto& profile_a = sph.shared.at("A", t);
       std::vector<double> mean(profile_a.size());
       for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = a[t].mean(i);
@@ -106,19 +107,22 @@ TEST(PublishedTables, Annihilation) {
         if (std::abs(difference[t].mean(i) - law) <= 3.0 * se) ++close;
         most = std::max(most, std::abs(a[t].mean(i) - profile_a[i]) / (c0 * dx));
       }
-      if (t + 1 < 7) continue;
-      const auto d_sph = deviation(profile_a, exact[5], dx, c0), d_ssa = deviation(mean, exact[5], dx, c0);
+      if (t < 5) continue;
+      const auto d_ssa = deviation(mean, exact[4], dx, c0), d_sph = deviation(profile_a, exact[4], dx, c0);
+      const auto d_end = deviation(sph.shared.at("A", 6), exact[5], dx, c0);
+      std::printf("1/%-3d steady: SPH Eq. 2.31 %.3e (paper %.3e), at the front %.2e, away %.2e\n", cells,
+                  d_end.published, published_sph[level], d_end.front, d_end.away);
       std::printf(
-          "1/%-3d steady: SPH Eq. 2.31 %.3e (paper %.3e), at the front %.2e, away %.2e; SSA %.3e (paper %.3e), at the "
-          "front %.2e, away %.2e\n",
-          cells, d_sph.published, published_sph[level], d_sph.front, d_sph.away, d_ssa.published, published_ssa[level],
-          d_ssa.front, d_ssa.away);
+          "1/%-3d t = 1 s: SPH %.3e, front %.2e, away %.2e; SSA %.3e (paper %.3e, steady), front %.2e, away %.2e\n",
+          cells, d_sph.published, d_sph.front, d_sph.away, d_ssa.published, published_ssa[level], d_ssa.front,
+          d_ssa.away);
     }
     std::printf(
         "1/%-3d E[A-B] within 3 s.e. of pure diffusion: %zu of %zu; largest |SSA - SPH| %.2e C0; CPU s: SPH %.2f, SSA "
         "%.1f\n",
         cells, close, points, most, cpu_sph, cpu_ssa);
-    EXPECT_GE(double(close), 0.98 * double(points));  // 99.73 % expected; fewer than 98 % has a probability below 1e-3
+    EXPECT_GE(double(close),
+              0.95 * double(points));  // with 20 realisations 99.3 % are expected (Student); points correlate
   }
 }
 

@@ -83,7 +83,9 @@ TEST(PublishedTables, DiffusionInAPlate) {
                 disordered / lattice, lattice, used);
     EXPECT_LE(published, level.sph);
     EXPECT_LE(disordered, 3.0 * lattice);
-    if (before > 0.0) EXPECT_GE(std::log2(before / error), 1.8);
+    if (before > 0.0) {
+      EXPECT_GE(std::log2(before / error), 1.8);
+    }
     before = error;
   }
 }

@@ -22,7 +22,7 @@ ProgressBar::ProgressBar(std::string label, std::size_t total, std::size_t done,
       done_(done),
       under_way_(workers) {
   for (auto& fraction : under_way_) fraction.store(0.0);
-  if (style_ == Style::bar) show(false);
+  if (style_ != Style::quiet) show(false);
 }
 
 ProgressBar::~ProgressBar() { end(); }
@@ -59,12 +59,9 @@ void ProgressBar::show(bool last) {
     for (int i = 0; i < width; ++i) bar += i < filled ? "█" : "·";
     fmt::print(stderr, "\r\033[K{} {}{}", bar, text(), last ? "\n" : "");
   } else {
-    // A tenth of the work and two seconds apart, or half a minute.
-    const bool due = (fraction >= shown_fraction_ + 0.1 && since > 2.0) || since > 30.0;
-    if (!last && (!due || shown_fraction_ < 0)) {
-      if (shown_fraction_ < 0) shown_fraction_ = 0, shown_ = now;
-      return;
-    }
+    // At the start; then a tenth of the work and two seconds apart, or half a minute; at the end.
+    const bool due = shown_fraction_ < 0 || (fraction >= shown_fraction_ + 0.1 && since > 2.0) || since > 30.0;
+    if (!last && !due) return;
     fmt::print(stderr, "{}\n", text());
   }
   std::fflush(stderr);

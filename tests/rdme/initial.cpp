@@ -98,6 +98,7 @@ TEST(InitialState, RefusesWhatCannotBe) {
                                                 {concentration(0, -1)},
                                                 {concentration(0, 0, "1 - x")},
                                                 {concentration(0, 0, "sqrt(-x)")},
+                                                {concentration(0, 0, "unknown")},
                                                 {concentration(0, 1e300)},
                                                 {count(0, 5), above}}) {
     scene::Scene scene = two_species();

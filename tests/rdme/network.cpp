@@ -49,13 +49,14 @@ TEST(Network, KnowsWhatDependsOnWhat) {
 TEST(Network, RefusesAllMistakesAtOnce) {
   scene::Scene scene = receptor();
   scene.reactions[0].materials = {0};
+  add_reaction(scene, "unknown name", {{0, 1}}, {}, 0, "k*L");
   add_reaction(scene, "bad text", {{0, 1}}, {}, 0, "2*(L");
   add_reaction(scene, "negative", {{0, 1}}, {}, -1.0);
   try {
     const Network network(scene);
     FAIL();
   } catch (const base::InputError& error) {
-    EXPECT_EQ(error.diagnostics().size(), 3U);
+    EXPECT_EQ(error.diagnostics().size(), 4U);
     EXPECT_NE(error.diagnostics()[0].message.find("material water, where species R"), std::string::npos);
   }
 }

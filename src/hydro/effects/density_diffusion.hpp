@@ -1,7 +1,8 @@
 #pragma once
 // Density diffusion (Molteni & Colagrossi 2009, "A simple procedure to improve the pressure evaluation in hydrodynamic
 // context using the SPH"): + 2 delta hs c0 sum_j V_j F_ij (rho_j - rho_i), which raises rho_i where its neighbours are
-// denser.
+// denser. Where viscosity damps sound within a kernel's width, c0 hs < 4 nu, it is weakened by c0 hs/(4 nu): it is not
+// needed, and as c0/U is large there the mass that leaks down the pressure would be a large part of the flow.
 #include "hydro/effects/absent.hpp"
 #include "hydro/effects/pair.hpp"
 #include "hydro/scales.hpp"
@@ -13,13 +14,14 @@ struct DensityDiffusion {
   static constexpr double delta = 0.1;
   static constexpr int sums = 1;
 
-  double coefficient = 0;  // [m^2/s] 2 delta hs c0
+  double coefficient = 0;  // [m^2/s] 2 delta hs c0, weakened where viscous
 
   template <int D>
   static Slot<DensityDiffusion> choose(const scene::Scene& scene, const Scales<D>& scales) {
     // With thermal noise density is a sum over kernels, which cannot diffuse.
     if (!scene.effects.density_diffusion || scene.effects.thermal_noise) return Absent{};
-    return DensityDiffusion{2.0 * delta * scales.smoothing * scales.sound_speed};
+    const double sound = scales.sound_speed * scales.smoothing, nu = scales.kinematic_viscosity();  // [m^2/s]
+    return DensityDiffusion{2.0 * delta * sound * (sound < 4.0 * nu ? sound / (4.0 * nu) : 1.0)};
   }
 
   template <int D>

@@ -183,6 +183,24 @@ TEST_P(Spatial, BindingIsProductPoissonGivenTotals) {
   expect_variance(first, mean * (1.0 / 6) * (5.0 / 6) + variance / 36);
 }
 
+// Birth, death and jumps on a cube: independent Poisson numbers, whatever the rates of jumping.
+TEST_P(Spatial, BirthAndDeathWithJumpsStaysPoisson) {
+  scene::Scene scene = walkers();
+  add_reaction(scene, "birth", {}, {{0, 1}}, 12.0);
+  add_reaction(scene, "death", {{0, 1}}, {}, 2.0);
+  Trial trial(GetParam(), scene, lattice({8, 8, 8}, true, 1.0, 1));
+  fill(trial.state, 0, 6);
+  trial.begin();
+  Sample all, total;
+  for (int k = 0; k < 12; ++k) {
+    trial.run(trial.t + 1.5, step(1.5, 0.05));
+    for (double n : trial.sample(0).values) all.add(n);
+    total.add(static_cast<double>(total_count(trial.state, 0)));
+  }
+  EXPECT_GT(chi_square(all, poisson_law(6.0, 25)), false_alarm);
+  EXPECT_NEAR(total.mean(), 6.0 * 512, errors_allowed * std::sqrt(6.0 * 512 / 12));
+}
+
 // A flow that carries molecules round a ring: the mean position moves with q/V per unit time.
 TEST_P(Spatial, AFlowCarriesMolecules) {
   Trial trial(GetParam(), walkers(), lattice({40, 1, 1}, true, 2.0, 1));

@@ -138,7 +138,7 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
   const rdme::Places<D> places{frame.position, frame.capacity, {}, material_};
   std::vector<rdme::HabitatGraph> graphs;
   for (const auto& habitat : habitats_) {
-    graphs.push_back(rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat));
+    graphs.push_back(rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, frame.steady));
     if (!frame.drift.empty()) attach_flow(carrying, graphs.back().graph);
   }
   for (std::size_t s = 0; s < scene_.species.size(); ++s) {

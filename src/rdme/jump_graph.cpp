@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rdme/linear_exact.hpp"
 #include "sph/neighbours.hpp"
 
 namespace shmoo::rdme {
@@ -56,15 +57,17 @@ class Builder {
     }
   }
 
-  HabitatGraph build() {
+  HabitatGraph build(bool exact) {
     scale_all();
     const std::size_t n = places_.position.size();
     std::vector<Row> rows(n);
 #pragma omp parallel for schedule(dynamic, 256)
     for (std::size_t i = 0; i < n; ++i) rows[i] = row(i);
+    if (exact) make_linear_exact(rows);
     HabitatGraph result;
     result.graph.first.assign(n + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
+      add_side_contacts(i, rows[i]);
       append(rows[i], result);
       result.graph.first[i + 1] = result.graph.target.size();
     }
@@ -76,10 +79,13 @@ class Builder {
   struct Jump {
     std::uint32_t target;
     double coupling, flow;
+    base::Vec<D> step;  // [m], mean over the particle and its images
   };
   struct Row {
     std::vector<Jump> jumps;
     std::vector<Contact> contacts;
+    std::array<double, 2 * D> clamped{};  // [1/m] sum over clamped partners of c_ij (d_j - d_i) towards each side
+    bool alone = true;                    // neither clamped particles nor such that are no home within reach
   };
 
   bool is_home(std::size_t voxel) const { return habitat_.home[places_.material[voxel]]; }
@@ -120,7 +126,6 @@ class Builder {
   Row row(std::size_t i) const {
     Row row;
     if (!is_home(i)) return row;
-    std::array<double, 2 * D> linear{};           // sum_j c_ij (d_j - d_i) towards each side
     base::Vec<D> surface = base::Vec<D>::Zero();  // sum over source materials of V_j grad W
     std::vector<Contact> clamped;
     std::uint32_t source = 0;
@@ -130,37 +135,70 @@ class Builder {
         source = 6u + places_.material[j];
       }
       const bool clamp = is_clamped(j);
+      if (clamp || !is_home(j)) row.alone = false;
       if (j == i || (!is_home(j) && !clamp) || (mirrored_.crossed[p] & open_)) return;
       const double coupling = (scale_[i] + scale_[j]) * places_.area[j] * F;
-      // An image counts with the distance of its particle: profiles are even functions of the distance to a mirror.
-      for (int side = 0; side < 2 * D; ++side) {
-        linear[static_cast<std::size_t>(side)] += coupling * (distance_to_side(j, side) - distance_to_side(i, side));
+      if (!clamp) {
+        row.jumps.push_back({index(j), coupling, flow(i, j, p, x_ij, coupling), -x_ij});
+        return;
       }
-      if (clamp)
-        clamped.push_back({index(i), 6u + places_.material[j], coupling, 0.0});
-      else
-        row.jumps.push_back({index(j), coupling, flow(i, j, p, x_ij, coupling)});
+      clamped.push_back({index(i), 6u + places_.material[j], coupling, 0.0});
+      for (int side = 0; side < 2 * D; ++side) row.clamped[std::size_t(side)] += coupling * away(i, j, side);
     });
+    std::erase_if(row.jumps, [](const Jump& jump) { return jump.coupling <= 0.0; });
     merge(row.jumps);
     row.contacts = std::move(clamped);
-    add_side_contacts(i, linear, row.contacts);
     if (surface.norm() > 0.0)
       row.contacts.push_back({index(i), source, 0.0, 2.0 * places_.area[i] * surface.norm() * depth_});
     return row;
   }
 
-  void add_side_contacts(std::size_t i, const std::array<double, 2 * D>& linear, std::vector<Contact>& contacts) const {
-    const double reach = std::visit([](const auto& k) { return k.reach(); }, kernel_);
+  // How much further from a side j stands than i [m]. An image counts with the distance of its particle: profiles are
+  // even functions of the distance to a mirror.
+  double away(std::size_t i, std::size_t j, int side) const {
+    return distance_to_side(j, side) - distance_to_side(i, side);
+  }
+
+  double reach() const {
+    return std::visit([](const auto& k) { return k.reach(); }, kernel_);
+  }
+
+  void add_side_contacts(std::size_t i, Row& row) const {
     for (int side = 0; side < 2 * D; ++side) {
       if (box_.periodic[static_cast<std::size_t>(side / 2)]) continue;
       const SideUse use = habitat_.side[static_cast<std::size_t>(side)];
-      const double d = distance_to_side(i, side), sum = linear[static_cast<std::size_t>(side)];
-      if (use == SideUse::reflect || d >= reach || sum <= 0.0) continue;
+      const double d = distance_to_side(i, side);
+      if (use == SideUse::reflect || d >= reach()) continue;
+      double sum = row.clamped[static_cast<std::size_t>(side)];
+      for (const Jump& jump : row.jumps) sum += jump.coupling * away(i, jump.target, side);
+      if (sum <= 0.0) continue;
       const auto boundary = static_cast<std::uint32_t>(side);
       if (use == SideUse::open)
-        contacts.push_back({index(i), boundary, sum / d, 0.0});
+        row.contacts.push_back({index(i), boundary, sum / d, 0.0});
       else
-        contacts.push_back({index(i), boundary, 0.0, places_.area[i] * sum * depth_});
+        row.contacts.push_back({index(i), boundary, 0.0, places_.area[i] * sum * depth_});
+    }
+  }
+
+  void make_linear_exact(std::vector<Row>& rows) const {
+    PairWeights<D> pairs;
+    pairs.first.push_back(0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (const Jump& jump : rows[i].jumps) {
+        pairs.target.push_back(jump.target);
+        pairs.weight.push_back(places_.area[i] * jump.coupling);
+        pairs.step.push_back(jump.step);
+      }
+      pairs.first.push_back(pairs.target.size());
+      auto& free = pairs.free.emplace_back();
+      for (int a = 0; a < D; ++a) {
+        const bool far = distance_to_side(i, 2 * a) >= reach() && distance_to_side(i, 2 * a + 1) >= reach();
+        free[std::size_t(a)] = !rows[i].jumps.empty() && rows[i].alone && (box_.periodic[std::size_t(a)] || far);
+      }
+    }
+    const std::vector<double> factor = linear_exact_factors(pairs);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t k = 0; k < rows[i].jumps.size(); ++k) rows[i].jumps[k].coupling *= factor[pairs.first[i] + k];
     }
   }
 
@@ -181,8 +219,10 @@ class Builder {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < jumps.size(); ++k) {
       if (kept > 0 && jumps[kept - 1].target == jumps[k].target) {
-        jumps[kept - 1].coupling += jumps[k].coupling;
-        jumps[kept - 1].flow += jumps[k].flow;
+        Jump& sum = jumps[kept - 1];
+        sum.step = (sum.coupling * sum.step + jumps[k].coupling * jumps[k].step) / (sum.coupling + jumps[k].coupling);
+        sum.coupling += jumps[k].coupling;
+        sum.flow += jumps[k].flow;
       } else {
         jumps[kept++] = jumps[k];
       }
@@ -192,7 +232,6 @@ class Builder {
 
   void append(const Row& row, HabitatGraph& result) const {
     for (const Jump& jump : row.jumps) {
-      if (jump.coupling <= 0.0) continue;
       result.graph.target.push_back(jump.target);
       result.graph.coupling.push_back(jump.coupling);
       if (!places_.drift.empty()) result.graph.flow.push_back(jump.flow);
@@ -230,15 +269,15 @@ class Builder {
 
 template <int D>
 HabitatGraph make_habitat_graph(const Places<D>& places, const base::Box<D>& box, const sph::AnyKernel<D>& kernel,
-                                double depth, const Habitat& habitat) {
-  return Builder<D>(places, box, kernel, depth, habitat).build();
+                                double depth, const Habitat& habitat, bool exact) {
+  return Builder<D>(places, box, kernel, depth, habitat).build(exact);
 }
 
 template HabitatGraph make_habitat_graph(const Places<1>&, const base::Box<1>&, const sph::AnyKernel<1>&, double,
-                                         const Habitat&);
+                                         const Habitat&, bool);
 template HabitatGraph make_habitat_graph(const Places<2>&, const base::Box<2>&, const sph::AnyKernel<2>&, double,
-                                         const Habitat&);
+                                         const Habitat&, bool);
 template HabitatGraph make_habitat_graph(const Places<3>&, const base::Box<3>&, const sph::AnyKernel<3>&, double,
-                                         const Habitat&);
+                                         const Habitat&, bool);
 
 }  // namespace shmoo::rdme

@@ -54,10 +54,11 @@ struct HabitatGraph {
   std::vector<Contact> contacts;  // ascending by voxel
 };
 
-// `depth` as in scene::Scene.
+// `depth` as in scene::Scene. `exact`: particles are going to stand, so it pays to make linear profiles exact on
+// disordered particles, away from sides and surfaces (linear_exact.hpp).
 template <int D>
 HabitatGraph make_habitat_graph(const Places<D>& places, const base::Box<D>& box, const sph::AnyKernel<D>& kernel,
-                                double depth, const Habitat& habitat);
+                                double depth, const Habitat& habitat, bool exact = false);
 
 // Adds the smallest potential flow that makes the carried flow of every voxel sum to zero (to a relative 1e-12), so
 // that a flow carried for ever leaves a uniform concentration alone. Returns the largest |net flow| before, relative to
@@ -65,10 +66,10 @@ HabitatGraph make_habitat_graph(const Places<D>& places, const base::Box<D>& box
 double make_divergence_free(JumpGraph& graph, std::span<const double> volume);
 
 extern template HabitatGraph make_habitat_graph(const Places<1>&, const base::Box<1>&, const sph::AnyKernel<1>&, double,
-                                                const Habitat&);
+                                                const Habitat&, bool);
 extern template HabitatGraph make_habitat_graph(const Places<2>&, const base::Box<2>&, const sph::AnyKernel<2>&, double,
-                                                const Habitat&);
+                                                const Habitat&, bool);
 extern template HabitatGraph make_habitat_graph(const Places<3>&, const base::Box<3>&, const sph::AnyKernel<3>&, double,
-                                                const Habitat&);
+                                                const Habitat&, bool);
 
 }  // namespace shmoo::rdme

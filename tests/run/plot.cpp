@@ -71,9 +71,10 @@ TEST(Plot, PixelsTakeTheNearestParticle) {
   const std::vector<double> points{0.5, 0.5, 1.5, 0.5};
   const auto pixels = nearest_particles(points, {0, 4, 0, 1}, 4, 1, 1.2);
   EXPECT_EQ(pixels, (std::vector<std::int32_t>{0, 1, 1, -1}));
-  const auto bytes = coloured(pixels, {0.0, std::nan("")}, {0, 1});
+  const auto bytes = coloured(pixels, {0.0, std::nan("")}, {0, 1}, {grey_of_others, grey_of_walls});
   ASSERT_EQ(bytes.size(), 12u);
   EXPECT_EQ(bytes.substr(0, 3), "\x44\x01\x54");
+  EXPECT_EQ(bytes.substr(3, 3), "\xc9\xc4\xbc");
   EXPECT_EQ(bytes.substr(9, 3), "\xff\xff\xff");
 }
 

@@ -23,7 +23,8 @@ struct Map {
   std::vector<double> points;  // x, y in turn
   Window window;
   double reach = 1;
-  std::string unit;  // of lengths
+  std::string unit;           // of lengths
+  std::vector<Colour> greys;  // by point, where it does not hold the field
   std::vector<Panel> panels;
   std::vector<std::array<double, 4>> arrows;
 };
@@ -173,7 +174,7 @@ void draw_map(const Map& map, const std::string& heading, const std::filesystem:
     gnuplot.table("arrows", columns);
   }
   for (std::size_t p = 0; p < map.panels.size(); ++p) {
-    gnuplot.bytes(fmt::format("panel{}", p), coloured(pixels, map.panels[p].values, map.panels[p].range));
+    gnuplot.bytes(fmt::format("panel{}", p), coloured(pixels, map.panels[p].values, map.panels[p].range, map.greys));
     script += panel_script(canvas, map, map.panels[p], static_cast<int>(p));
     script += "unset label 1\nunset label 2\n";
   }
@@ -198,6 +199,8 @@ void plot_map(const ResultFile& result, const Entry& field, std::size_t time, co
     map.points.push_back(length.factor * positions[3 * i]);
     map.points.push_back(length.factor * positions[3 * i + 1]);
     held.push_back(all_held[i]);
+    const auto material = static_cast<std::size_t>(std::max(0, result.material[i]));
+    map.greys.push_back(result.material_types[material] == "wall" ? grey_of_walls : grey_of_others);
   }
   map.window = window_of(result, map.points, held, length.factor);
   map.reach = 1.2 * length.factor * result.spacing;

@@ -6,7 +6,7 @@
 namespace shmoo::run {
 namespace {
 
-constexpr Colour absent{0xd8, 0xd5, 0xd0}, nothing{0xff, 0xff, 0xff};
+constexpr Colour nothing{0xff, 0xff, 0xff};
 
 // Particles sorted into square cells as wide as the reach.
 class Cells {
@@ -68,14 +68,16 @@ std::vector<std::int32_t> nearest_particles(const std::vector<double>& points, c
   return pixels;
 }
 
-std::string coloured(const std::vector<std::int32_t>& pixels, const std::vector<double>& values, const Range& range) {
+std::string coloured(const std::vector<std::int32_t>& pixels, const std::vector<double>& values, const Range& range,
+                     const std::vector<Colour>& greys) {
   std::string bytes;
   bytes.reserve(3 * pixels.size());
   for (const auto pixel : pixels) {
     Colour colour = nothing;
     if (pixel >= 0) {
-      const double value = values[static_cast<std::size_t>(pixel)];
-      colour = std::isfinite(value) ? viridis((value - range.low) / (range.high - range.low)) : absent;
+      const auto particle = static_cast<std::size_t>(pixel);
+      const double value = values[particle];
+      colour = std::isfinite(value) ? viridis((value - range.low) / (range.high - range.low)) : greys[particle];
     }
     for (const auto channel : colour) bytes += static_cast<char>(channel);
   }

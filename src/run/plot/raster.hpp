@@ -18,7 +18,11 @@ struct Window {
 std::vector<std::int32_t> nearest_particles(const std::vector<double>& points, const Window& window, int width,
                                             int height, double reach);
 
-// Three bytes a pixel: viridis of the value in the range, `absent` grey for NaN, white where no particle is near.
-std::string coloured(const std::vector<std::int32_t>& pixels, const std::vector<double>& values, const Range& range);
+inline constexpr Colour grey_of_walls{0xc9, 0xc4, 0xbc}, grey_of_others{0xec, 0xea, 0xe6};
+
+// Three bytes a pixel: viridis of the particle's value in the range; where that is NaN, the particle's grey; white
+// where no particle is near.
+std::string coloured(const std::vector<std::int32_t>& pixels, const std::vector<double>& values, const Range& range,
+                     const std::vector<Colour>& greys);
 
 }  // namespace shmoo::run

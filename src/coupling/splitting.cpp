@@ -9,7 +9,7 @@
 namespace shmoo::coupling {
 namespace {
 
-constexpr double part_of_time_scale = 0.05;
+constexpr double part_of_time_scale = 0.01;
 
 // Whether an integrated reaction and a sampled one touch each other's species.
 bool kinds_meet(const rdme::Network& network) {

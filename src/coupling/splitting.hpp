@@ -18,7 +18,7 @@ struct Step {
 std::vector<double> reference_concentrations(const scene::Scene& scene);
 
 // The step between deterministic and sampled chemistry (and between reactions and diffusion in the split sampler): a
-// twentieth of the time scale of the fastest reaction at the reference concentrations, as the error of Strang splitting
+// hundredth of the time scale of the fastest reaction at the reference concentrations, as the error of Strang splitting
 // is of second order in that ratio (Strang 1968). A given numerics.splitting_step is taken as it is.
 Step splitting_step(const scene::Scene& scene, const rdme::Network& network);
 

@@ -59,9 +59,11 @@ double autocorrelation_time(const std::vector<std::vector<double>>& series) {
 }
 
 void check(const std::string& sampler) {
-  const auto lab = test::laboratory(
-      "validation/reversible-binding/model.toml",
-      {{"run.until", "\"160 s\""}, {"run.record_every", "\"0.5 s\""}, {"numerics.sampler", "\"" + sampler + "\""}});
+  const auto lab =
+      test::laboratory("validation/reversible-binding/model.toml", {{"run.until", "\"160 s\""},
+                                                                    {"run.record_every", "\"0.5 s\""},
+                                                                    {"numerics.splitting_step", "\"5 ms\""},
+                                                                    {"numerics.sampler", "\"" + sampler + "\""}});
   const double cpu = test::cpu_seconds();
   std::vector<std::vector<double>> count[3];
   test::Moments total[3];

@@ -15,7 +15,7 @@ std::vector<double> run(const scene::Scene& scene, int threads) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
   auto fluid = make_fluid<D>(scene);
-  for (int k = 0; k < 12; ++k) fluid.step();
+  for (int k = 0; k < 5; ++k) fluid.step();
   omp_set_num_threads(before);
   constexpr std::size_t width = 2 * D + 1;
   std::vector<double> values(width * fluid.particles().size());

@@ -12,6 +12,7 @@ namespace shmoo::coupling {
 namespace {
 
 constexpr double most_movement = 0.25;       // [spacings] of a particle in one interval
+constexpr double most_looks = 100;           // at the window's pace; then at the pace of the particles
 constexpr double part_of_time_scale = 0.25;  // between two looks at whether the flow is steady
 
 template <int D>
@@ -24,7 +25,11 @@ class FluidInMotion final : public LiveFlow<D> {
 
   double interval() const override {
     const double speed = std::max(fluid_.max_speed(), fluid_.scales().speed);
-    return speed > 0.0 ? most_movement * fluid_.scales().spacing / speed : std::numeric_limits<double>::infinity();
+    const double by_motion =
+        speed > 0.0 ? most_movement * fluid_.scales().spacing / speed : std::numeric_limits<double>::infinity();
+    // A slow flow is steady long before its particles have moved: look often while that can be expected.
+    const bool settling = tolerance_ && fluid_.time() < most_looks * window_;
+    return settling ? std::min(by_motion, window_) : by_motion;
   }
 
   void advance(double until, Frame<D>* frame) override {

@@ -69,7 +69,7 @@ double rms(const test::Laboratory& lab, const std::vector<double>& n, double c0,
 }
 
 TEST(PublishedTables, DiffusionInAPlate) {
-  double before = 0.0, disordered_before = 0.0;
+  double before = 0.0;
   std::printf("   N    rms outside corners  order   Eq. 2.31 (paper)       jitter 0.2: rms, ratio   CPU s\n");
   for (const auto& level : levels) {
     const double cpu = test::cpu_seconds();
@@ -87,13 +87,9 @@ TEST(PublishedTables, DiffusionInAPlate) {
                 error, order(before, error, level.n), published, level.sph, disordered, disordered / lattice, lattice,
                 used);
     EXPECT_LE(published, level.sph);
-    // The aim, three times the lattice's error, is missed (ARCHITECTURE.md, debts); what holds is that the error falls.
-    if (disordered_before > 0.0) {
-      EXPECT_LT(disordered, disordered_before);
-    }
-    disordered_before = disordered;
+    EXPECT_LE(disordered, 3.0 * lattice);  // missed so far: ARCHITECTURE.md, debts
     if (before > 0.0) {
-      EXPECT_GE(order(before, error, level.n), level.n == 33 ? 1.7 : 1.8);
+      EXPECT_GE(order(before, error, level.n), 1.8);
     }
     before = error;
   }

@@ -21,6 +21,12 @@ add_library(udunits2::udunits2 UNKNOWN IMPORTED GLOBAL)
 set_target_properties(udunits2::udunits2 PROPERTIES
   IMPORTED_LOCATION ${UDUNITS2_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${UDUNITS2_INCLUDE})
 
+find_path(VOROPP_INCLUDE voro++/voro++.hh REQUIRED)
+find_library(VOROPP_LIBRARY voro++ REQUIRED)
+add_library(voropp::voropp UNKNOWN IMPORTED GLOBAL)
+set_target_properties(voropp::voropp PROPERTIES
+  IMPORTED_LOCATION ${VOROPP_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${VOROPP_INCLUDE})
+
 if(NOT TARGET hdf5::hdf5)
   add_library(hdf5::hdf5 INTERFACE IMPORTED GLOBAL)
   target_include_directories(hdf5::hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})

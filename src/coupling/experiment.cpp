@@ -21,12 +21,6 @@ std::vector<base::Vec<D>> voxel_positions(const sph::Filling<D>& filling) {
 }
 
 template <int D>
-std::vector<std::uint16_t> voxel_materials(const sph::Filling<D>& filling) {
-  return {filling.particles.material.values().begin(),
-          filling.particles.material.values().begin() + long(filling.voxels)};
-}
-
-template <int D>
 std::array<std::size_t, 3> lattice_cells(const sph::Filling<D>& filling) {
   std::array<std::size_t, 3> cells{1, 1, 1};
   for (int a = 0; a < D; ++a)
@@ -84,8 +78,7 @@ class ExperimentOf final : public Experiment {
       : scene_(std::move(scene)),
         network_(*scene_),
         filling_(sph::fill<D>(*scene_)),
-        geometry_(*scene_, filling_.box, voxel_materials(filling_),
-                  scene_->numerics.reach * filling_.spacing.maxCoeff(), filling_.cell),
+        geometry_(*scene_, filling_),
         stages_(geometry_, *scene_, network_),
         has_chemistry_(network_.species() > 0),
         flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),

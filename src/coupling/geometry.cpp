@@ -1,6 +1,9 @@
 #include "coupling/geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "rdme/voronoi.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -39,13 +42,14 @@ void attach_flow(const rdme::JumpGraph& carrying, rdme::JumpGraph& graph) {
 }  // namespace
 
 template <int D>
-Geometry<D>::Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material,
-                      double reach, double cell)
+Geometry<D>::Geometry(const scene::Scene& scene, const sph::Filling<D>& filling)
     : scene_(scene),
-      box_(box),
-      material_(std::move(material)),
-      kernel_(sph::make_kernel<D>(scene.numerics.kernel, reach)),
-      cell_(cell) {
+      box_(filling.box),
+      material_(filling.particles.material.values().begin(),
+                filling.particles.material.values().begin() + long(filling.voxels)),
+      vacant_(filling.vacant),
+      kernel_(sph::make_kernel<D>(scene.numerics.kernel, scene.numerics.reach * filling.spacing.maxCoeff())),
+      cell_(filling.cell) {
   if (scene.effects.flow && scene.effects.species_advection) {
     carried_.assign(scene.materials.size(), false);
     for (const auto& species : scene.species) {
@@ -99,11 +103,24 @@ void Geometry<D>::find_habitats() {
 }
 
 template <int D>
+std::vector<double> Geometry<D>::capacities(std::span<const base::Vec<D>> position) const {
+  if (scene_.effects.flow || scene_.domain.jitter == 0.0) return std::vector<double>(position.size(), cell_);
+  return rdme::voronoi_cells<D>(position, vacant_, box_, std::pow(cell_, 1.0 / D)).volume;
+}
+
+// Kernel weights are exact for linear profiles on a lattice only. Where particles stand off it, faces are found once.
+template <int D>
+rdme::PairWeights Geometry<D>::weights(const Frame<D>& frame) const {
+  const bool off_lattice = scene_.effects.flow || scene_.domain.jitter > 0.0;
+  return frame.steady && off_lattice ? rdme::PairWeights::faces : rdme::PairWeights::kernel;
+}
+
+template <int D>
 rdme::JumpGraph Geometry<D>::carrying_graph(const Frame<D>& frame) const {
   const std::vector<bool> none(scene_.materials.size(), false);
   const rdme::Habitat habitat{carried_, none, none, carried_, {}};
-  const rdme::Places<D> places{frame.position, frame.departure_capacity, frame.drift, material_};
-  auto graph = rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat).graph;
+  const rdme::Places<D> places{frame.position, frame.departure_capacity, frame.drift, material_, vacant_};
+  auto graph = rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, weights(frame)).graph;
   std::vector<double> volume(frame.departure_capacity);
   for (double& v : volume) v *= scene_.depth;
   if (frame.steady)
@@ -135,10 +152,10 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
   rdme::JumpGraph carrying;
   if (!frame.drift.empty()) carrying = carrying_graph(frame);
   voxels.graph_of_species = habitat_of_species_;
-  const rdme::Places<D> places{frame.position, frame.capacity, {}, material_};
+  const rdme::Places<D> places{frame.position, frame.capacity, {}, material_, vacant_};
   std::vector<rdme::HabitatGraph> graphs;
   for (const auto& habitat : habitats_) {
-    graphs.push_back(rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, frame.steady));
+    graphs.push_back(rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, weights(frame)));
     if (!frame.drift.empty()) attach_flow(carrying, graphs.back().graph);
   }
   for (std::size_t s = 0; s < scene_.species.size(); ++s) {

@@ -1,6 +1,7 @@
 #pragma once
 // From a frame to the voxels of chemistry: one jump graph per distinct habitat, what the fluid carries, and the
 // exchange with everything outside (sides, clamped materials, fluxes, sponges).
+#include <span>
 #include <vector>
 
 #include "base/box.hpp"
@@ -8,6 +9,7 @@
 #include "rdme/jump_graph.hpp"
 #include "rdme/voxels.hpp"
 #include "scene/scene.hpp"
+#include "sph/fill.hpp"
 #include "sph/kernel.hpp"
 #include "sph/sponge.hpp"
 
@@ -16,9 +18,8 @@ namespace shmoo::coupling {
 template <int D>
 class Geometry {
  public:
-  // `material` by voxel; `cell` [m^D] what a particle fills. The scene must outlive the geometry.
-  Geometry(const scene::Scene& scene, const base::Box<D>& box, std::vector<std::uint16_t> material, double reach,
-           double cell);
+  // The scene must outlive the geometry.
+  Geometry(const scene::Scene& scene, const sph::Filling<D>& filling);
 
   // Whether any species is carried by the fluid.
   bool carries() const { return !carried_.empty(); }
@@ -32,10 +33,15 @@ class Geometry {
   // drift.
   rdme::JumpGraph carrying_graph(const Frame<D>& frame) const;
 
+  // What the voxels fill at these places [m^D]: their lattice cell, or where they are jittered and stand their Voronoi
+  // cell.
+  std::vector<double> capacities(std::span<const base::Vec<D>> position) const;
+
   const std::vector<std::uint16_t>& material() const { return material_; }
 
  private:
   void find_habitats();
+  rdme::PairWeights weights(const Frame<D>& frame) const;
   void relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const;
   void add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const;
   void add_sponge_exchanges(std::size_t species, rdme::Voxels& voxels) const;
@@ -43,9 +49,10 @@ class Geometry {
 
   const scene::Scene& scene_;
   base::Box<D> box_;
-  std::vector<std::uint16_t> material_;
+  std::vector<std::uint16_t> material_;  // [voxels]
+  std::vector<base::Vec<D>> vacant_;
   sph::AnyKernel<D> kernel_;
-  double cell_;
+  double cell_;                // [m^D] what a particle fills on the lattice
   std::vector<bool> carried_;  // [materials]; empty where nothing is carried
   std::vector<rdme::Habitat> habitats_;
   std::vector<int> habitat_of_species_;  // -1: neither diffuses nor is carried

@@ -19,7 +19,7 @@ Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder,
       times_(times),
       chemistry_step_(chemistry_step.value),
       flow_(std::move(flow)),
-      capacity_(start.size(), cell),
+      capacity_(builder.geometry().capacities(start)),
       cell_(cell) {
   if (flow_) flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;

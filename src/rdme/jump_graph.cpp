@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rdme/linear_exact.hpp"
+#include "rdme/voronoi.hpp"
 #include "sph/neighbours.hpp"
 
 namespace shmoo::rdme {
@@ -57,13 +57,17 @@ class Builder {
     }
   }
 
-  HabitatGraph build(bool exact) {
-    scale_all();
+  HabitatGraph build(PairWeights weights) {
     const std::size_t n = places_.position.size();
     std::vector<Row> rows(n);
+    if (weights == PairWeights::faces) {
+      const double points = double(n + places_.vacant.size());
+      cells_ = voronoi_cells<D>(places_.position, places_.vacant, box_, std::pow(box_.volume() / points, 1.0 / D));
+    } else {
+      scale_all();
+    }
 #pragma omp parallel for schedule(dynamic, 256)
-    for (std::size_t i = 0; i < n; ++i) rows[i] = row(i);
-    if (exact) make_linear_exact(rows);
+    for (std::size_t i = 0; i < n; ++i) rows[i] = weights == PairWeights::faces ? face_row(i) : kernel_row(i);
     HabitatGraph result;
     result.graph.first.assign(n + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
@@ -79,13 +83,11 @@ class Builder {
   struct Jump {
     std::uint32_t target;
     double coupling, flow;
-    base::Vec<D> step;  // [m], mean over the particle and its images
   };
   struct Row {
     std::vector<Jump> jumps;
     std::vector<Contact> contacts;
     std::array<double, 2 * D> clamped{};  // [1/m] sum over clamped partners of c_ij (d_j - d_i) towards each side
-    bool alone = true;                    // neither clamped particles nor such that are no home within reach
   };
 
   bool is_home(std::size_t voxel) const { return habitat_.home[places_.material[voxel]]; }
@@ -123,34 +125,50 @@ class Builder {
     }
   }
 
-  Row row(std::size_t i) const {
+  Row kernel_row(std::size_t i) const {
     Row row;
     if (!is_home(i)) return row;
-    base::Vec<D> surface = base::Vec<D>::Zero();  // sum over source materials of V_j grad W
-    std::vector<Contact> clamped;
-    std::uint32_t source = 0;
     each(i, [&](std::uint32_t p, std::size_t j, const base::Vec<D>& x_ij, double F) {
-      if (is_source(j)) {
-        surface -= places_.area[j] * F * x_ij;
-        source = 6u + places_.material[j];
-      }
-      const bool clamp = is_clamped(j);
-      if (clamp || !is_home(j)) row.alone = false;
-      if (j == i || (!is_home(j) && !clamp) || (mirrored_.crossed[p] & open_)) return;
-      const double coupling = (scale_[i] + scale_[j]) * places_.area[j] * F;
-      if (!clamp) {
-        row.jumps.push_back({index(j), coupling, flow(i, j, p, x_ij, coupling), -x_ij});
-        return;
-      }
-      clamped.push_back({index(i), 6u + places_.material[j], coupling, 0.0});
-      for (int side = 0; side < 2 * D; ++side) row.clamped[std::size_t(side)] += coupling * away(i, j, side);
+      if (!(mirrored_.crossed[p] & open_)) add(row, i, j, p, x_ij, (scale_[i] + scale_[j]) * places_.area[j] * F);
     });
-    std::erase_if(row.jumps, [](const Jump& jump) { return jump.coupling <= 0.0; });
     merge(row.jumps);
-    row.contacts = std::move(clamped);
+    add_surface(i, row);
+    return row;
+  }
+
+  Row face_row(std::size_t i) const {
+    Row row;
+    if (!is_home(i)) return row;
+    for (std::uint64_t f = cells_.first[i]; f < cells_.first[i + 1]; ++f) {
+      const std::uint32_t j = cells_.target[f];
+      const base::Vec<D> x_ij = box_.nearest(places_.position[i] - places_.position[j]);
+      add(row, i, j, j, x_ij, cells_.weight[f] / places_.area[i]);
+    }
+    add_surface(i, row);
+    return row;
+  }
+
+  void add(Row& row, std::size_t i, std::size_t j, std::uint32_t p, const base::Vec<D>& x_ij, double coupling) const {
+    if (j == i || coupling <= 0.0) return;
+    if (is_home(j)) {
+      row.jumps.push_back({index(j), coupling, flow(i, j, p, x_ij, coupling)});
+    } else if (is_clamped(j)) {
+      row.contacts.push_back({index(i), 6u + places_.material[j], coupling, 0.0});
+      for (int side = 0; side < 2 * D; ++side) row.clamped[std::size_t(side)] += coupling * away(i, j, side);
+    }
+  }
+
+  // The share of a surface that releases a flux: 2 V_i |sum V_j grad W| over the particles of its material.
+  void add_surface(std::size_t i, Row& row) const {
+    base::Vec<D> surface = base::Vec<D>::Zero();
+    std::uint32_t source = 0;
+    each(i, [&](std::uint32_t, std::size_t j, const base::Vec<D>& x_ij, double F) {
+      if (!is_source(j)) return;
+      surface -= places_.area[j] * F * x_ij;
+      source = 6u + places_.material[j];
+    });
     if (surface.norm() > 0.0)
       row.contacts.push_back({index(i), source, 0.0, 2.0 * places_.area[i] * surface.norm() * depth_});
-    return row;
   }
 
   // How much further from a side j stands than i [m]. An image counts with the distance of its particle: profiles are
@@ -180,28 +198,6 @@ class Builder {
     }
   }
 
-  void make_linear_exact(std::vector<Row>& rows) const {
-    PairWeights<D> pairs;
-    pairs.first.push_back(0);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const Jump& jump : rows[i].jumps) {
-        pairs.target.push_back(jump.target);
-        pairs.weight.push_back(places_.area[i] * jump.coupling);
-        pairs.step.push_back(jump.step);
-      }
-      pairs.first.push_back(pairs.target.size());
-      auto& free = pairs.free.emplace_back();
-      for (int a = 0; a < D; ++a) {
-        const bool far = distance_to_side(i, 2 * a) >= reach() && distance_to_side(i, 2 * a + 1) >= reach();
-        free[std::size_t(a)] = !rows[i].jumps.empty() && rows[i].alone && (box_.periodic[std::size_t(a)] || far);
-      }
-    }
-    const std::vector<double> factor = linear_exact_factors(pairs);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t k = 0; k < rows[i].jumps.size(); ++k) rows[i].jumps[k].coupling *= factor[pairs.first[i] + k];
-    }
-  }
-
   // Volume carried from i to j [m^3/s]: s_ij F V_i V_j (dv_i + dv_j).x_ij, dv = transport minus fluid velocity.
   double flow(std::size_t i, std::size_t j, std::uint32_t p, const base::Vec<D>& x_ij, double coupling) const {
     if (places_.drift.empty()) return 0.0;
@@ -220,7 +216,6 @@ class Builder {
     for (std::size_t k = 0; k < jumps.size(); ++k) {
       if (kept > 0 && jumps[kept - 1].target == jumps[k].target) {
         Jump& sum = jumps[kept - 1];
-        sum.step = (sum.coupling * sum.step + jumps[k].coupling * jumps[k].step) / (sum.coupling + jumps[k].coupling);
         sum.coupling += jumps[k].coupling;
         sum.flow += jumps[k].flow;
       } else {
@@ -262,22 +257,23 @@ class Builder {
   std::uint8_t open_ = 0;
   Mirrored<D> mirrored_;
   sph::NeighbourRows<D> rows_;
-  std::vector<double> scale_;
+  std::vector<double> scale_;  // kernel weights only
+  VoronoiCells cells_;         // face weights only
 };
 
 }  // namespace
 
 template <int D>
 HabitatGraph make_habitat_graph(const Places<D>& places, const base::Box<D>& box, const sph::AnyKernel<D>& kernel,
-                                double depth, const Habitat& habitat, bool exact) {
-  return Builder<D>(places, box, kernel, depth, habitat).build(exact);
+                                double depth, const Habitat& habitat, PairWeights weights) {
+  return Builder<D>(places, box, kernel, depth, habitat).build(weights);
 }
 
 template HabitatGraph make_habitat_graph(const Places<1>&, const base::Box<1>&, const sph::AnyKernel<1>&, double,
-                                         const Habitat&, bool);
+                                         const Habitat&, PairWeights);
 template HabitatGraph make_habitat_graph(const Places<2>&, const base::Box<2>&, const sph::AnyKernel<2>&, double,
-                                         const Habitat&, bool);
+                                         const Habitat&, PairWeights);
 template HabitatGraph make_habitat_graph(const Places<3>&, const base::Box<3>&, const sph::AnyKernel<3>&, double,
-                                         const Habitat&, bool);
+                                         const Habitat&, PairWeights);
 
 }  // namespace shmoo::rdme

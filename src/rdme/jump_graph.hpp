@@ -1,6 +1,8 @@
 #pragma once
 // Jump rates between particles. The coupling c_ij = 2 s_ij V_j F_ij [1/m^2] obeys V_i c_ij = V_j c_ji, so every
 // equilibrium has equal concentrations (thesis Eq. 2.28 with the missing 1/r, and per volume instead of per count).
+// Where particles stand off their lattice, V_i c_ij is the weight of the Voronoi face between them instead
+// (voronoi.hpp).
 // * s_ij = (s_i + s_j)/2 is the second-moment scaling: 1/s_i = mu_own + mu_wall/2, mu = (1/D) sum_j V_j F_ij r_ij^2,
 // where
 //   particles that are no home of the species make up mu_wall.
@@ -39,6 +41,7 @@ struct Places {
   std::span<const double> area;            // [m^D] what the particle fills
   std::span<const base::Vec<D>> drift;     // [m/s] transport minus fluid velocity; empty: nothing is carried
   std::span<const std::uint16_t> material;
+  std::span<const base::Vec<D>> vacant = {};  // [m] where no particle stands; bounds the Voronoi cells beside it
 };
 
 // A voxel's contact with a boundary: a side of the domain (2 axis + side) or the surface of a material (6 + material).
@@ -54,11 +57,14 @@ struct HabitatGraph {
   std::vector<Contact> contacts;  // ascending by voxel
 };
 
-// `depth` as in scene::Scene. `exact`: particles are going to stand, so it pays to make linear profiles exact on
-// disordered particles, away from sides and surfaces (linear_exact.hpp).
+// Which pairs exchange molecules, and how readily: kernel weights of all pairs within reach, or the faces of Voronoi
+// cells, which are exact for linear profiles on disordered particles but cost more to find.
+enum class PairWeights : std::uint8_t { kernel, faces };
+
+// `depth` as in scene::Scene.
 template <int D>
 HabitatGraph make_habitat_graph(const Places<D>& places, const base::Box<D>& box, const sph::AnyKernel<D>& kernel,
-                                double depth, const Habitat& habitat, bool exact = false);
+                                double depth, const Habitat& habitat, PairWeights weights = PairWeights::kernel);
 
 // Adds the smallest potential flow that makes the carried flow of every voxel sum to zero (to a relative 1e-12), so
 // that a flow carried for ever leaves a uniform concentration alone. Returns the largest |net flow| before, relative to
@@ -66,10 +72,10 @@ HabitatGraph make_habitat_graph(const Places<D>& places, const base::Box<D>& box
 double make_divergence_free(JumpGraph& graph, std::span<const double> volume);
 
 extern template HabitatGraph make_habitat_graph(const Places<1>&, const base::Box<1>&, const sph::AnyKernel<1>&, double,
-                                                const Habitat&, bool);
+                                                const Habitat&, PairWeights);
 extern template HabitatGraph make_habitat_graph(const Places<2>&, const base::Box<2>&, const sph::AnyKernel<2>&, double,
-                                                const Habitat&, bool);
+                                                const Habitat&, PairWeights);
 extern template HabitatGraph make_habitat_graph(const Places<3>&, const base::Box<3>&, const sph::AnyKernel<3>&, double,
-                                                const Habitat&, bool);
+                                                const Habitat&, PairWeights);
 
 }  // namespace shmoo::rdme

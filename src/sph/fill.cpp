@@ -138,7 +138,7 @@ base::Box<D> domain_box(const scene::Domain& domain) {
 
 template <int D>
 Filling<D> fill(const scene::Scene& scene) {
-  Filling<D> filling{{}, domain_box<D>(scene.domain), {}, 0, 0};
+  Filling<D> filling{{}, domain_box<D>(scene.domain), {}, 0, 0, {}};
   const auto lattice = make_lattice<D>(scene, filling.box);
   filling.spacing = lattice.step;
   filling.cell = lattice.step.prod();
@@ -157,7 +157,10 @@ Filling<D> fill(const scene::Scene& scene) {
       return;
     }
     const int material = material_at(scene, x, received);
-    if (material < 0) return;
+    if (material < 0) {
+      filling.vacant.push_back(x);
+      return;
+    }
     const auto type = scene.materials[static_cast<std::size_t>(material)].type;
     inside.push_back({x, static_cast<std::uint16_t>(material), role_of(type)});
   });

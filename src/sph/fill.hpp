@@ -11,9 +11,10 @@ template <int D>
 struct Filling {
   Particles<D> particles;
   base::Box<D> box;
-  base::Vec<D> spacing;    // [m] per axis: the extent divided by a whole number of particles
-  std::size_t voxels = 0;  // particles inside the domain: ids 0 .. voxels-1
-  double cell = 0;         // [m^D] what one particle fills at the start
+  base::Vec<D> spacing;              // [m] per axis: the extent divided by a whole number of particles
+  std::size_t voxels = 0;            // particles inside the domain: ids 0 .. voxels-1
+  double cell = 0;                   // [m^D] what one particle fills on the lattice
+  std::vector<base::Vec<D>> vacant;  // [m] lattice points inside the domain that no region fills
 };
 
 template <int D>

@@ -64,6 +64,8 @@ class FluidInMotion final : public LiveFlow<D> {
 
   bool steady() const override { return steady_; }
 
+  std::uint64_t steps() const override { return std::uint64_t(fluid_.steps()); }
+
   std::vector<Experiment::Derived> derived() const override {
     std::vector<Experiment::Derived> list;
     for (const auto& number : fluid_.derived()) list.push_back({number.name, number.value, number.unit, number.why});

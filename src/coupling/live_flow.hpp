@@ -27,6 +27,7 @@ class LiveFlow {
   // Whether the velocity field has stopped to change, to numerics.steady_tolerance; false where none is given.
   virtual bool steady() const = 0;
 
+  virtual std::uint64_t steps() const = 0;  // taken so far
   virtual std::vector<Experiment::Derived> derived() const = 0;
 };
 

@@ -41,6 +41,8 @@ class Timeline {
   // When the flow was found steady [s]; negative: never.
   double steady_since() const { return steady_since_; }
 
+  std::uint64_t flow_steps() const { return flow_ ? flow_->steps() : 0; }
+
   // The largest |capacity rho/m - 1| of any voxel at any end of an interval: what passed between particles, relative.
   double capacity_deviation() const { return capacity_deviation_; }
 

@@ -47,23 +47,24 @@ void guard_key_paths(const std::string& text, const std::string& file) {
 
 }  // namespace
 
-std::string read_bytes(const std::string& file) {
+std::string read_bytes(const std::string& file, std::string_view kind) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) refuse({file, 0, 0}, "there is no such file; give the path of a model file");
-  if (std::filesystem::is_directory(status)) refuse({file, 0, 0}, "this is a directory; give the path of a model file");
+  if (!std::filesystem::exists(status)) refuse({file, 0, 0}, fmt::format("there is no such file; give the path of a {} file", kind));
+  if (std::filesystem::is_directory(status)) refuse({file, 0, 0}, fmt::format("this is a directory; give the path of a {} file", kind));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse({file, 0, 0}, "the file cannot be read; check its permissions");
   std::string bytes;
   std::vector<char> block(1 << 16);
   while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
     bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (bytes.size() > largest_file) refuse({file, 0, 0}, "the file is larger than 16 MiB, which no model file is");
+    if (bytes.size() > largest_file) refuse({file, 0, 0}, fmt::format("the file is larger than 16 MiB, which no {} file is", kind));
   }
   return bytes;
 }
 
-Document parse_document(const std::string& text, const std::string& file, const Overrides& overrides) {
+Document parse_document(const std::string& text, const std::string& file, const Overrides& overrides,
+                        std::string_view needs) {
   if (text.size() > largest_file) refuse({file, 0, 0}, "the file is larger than 16 MiB, which no model file is");
   guard_key_paths(text, file);
   Document document;
@@ -74,8 +75,7 @@ Document parse_document(const std::string& text, const std::string& file, const 
     refuse({file, static_cast<int>(begin.line), static_cast<int>(begin.column)},
            fmt::format("this is not TOML: {}", error.description()));
   }
-  if (document.root.empty() && overrides.empty())
-    refuse({file, 0, 0}, "the file is empty; a model needs at least dimension, [domain], [materials] and [run]");
+  if (document.root.empty() && overrides.empty()) refuse({file, 0, 0}, fmt::format("the file is empty; {}", needs));
   if (overrides.empty()) {
     document.text = text;
     return document;

@@ -8,8 +8,9 @@
 
 namespace shmoo::scene {
 
-// The bytes of a file. Throws base::InputError where it is missing, a directory, or larger than 16 MiB.
-std::string read_bytes(const std::string& file);
+// The bytes of a file. Throws base::InputError where it is missing, a directory, or larger than 16 MiB. `kind`: "model" or
+// "study", for messages.
+std::string read_bytes(const std::string& file, std::string_view kind = "model");
 
 struct Document {
   toml::table root;
@@ -17,6 +18,8 @@ struct Document {
 };
 
 // Throws base::InputError with the one syntax error, or with what is wrong with the overrides.
-Document parse_document(const std::string& text, const std::string& file, const Overrides& overrides);
+// `needs`: what an empty file lacks.
+Document parse_document(const std::string& text, const std::string& file, const Overrides& overrides,
+                        std::string_view needs = "a model needs at least dimension, [domain], [materials] and [run]");
 
 }  // namespace shmoo::scene

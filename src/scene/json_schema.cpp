@@ -6,6 +6,7 @@
 
 #include "scene/read.hpp"
 #include "scene/schema.hpp"
+#include "scene/study.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -136,15 +137,24 @@ Json table_json(const Table& table) {
 
 }  // namespace
 
-std::string json_schema() {
-  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Shmoo model file"}};
-  for (const Table& table : tables()) {
-    if (table.id.empty())
-      json.update(table_json(table));
-    else
-      json["$defs"][std::string(table.id)] = table_json(table);
-  }
+namespace {
+
+// The first table is the file itself.
+std::string schema_of(const char* title, const std::vector<Table>& all) {
+  Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+  json.update(table_json(all.front()));
+  for (std::size_t t = 1; t < all.size(); ++t) json["$defs"][std::string(all[t].id)] = table_json(all[t]);
   return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::string json_schema() { return schema_of("Shmoo model file", tables()); }
+
+std::string study_json_schema() {
+  auto all = study_tables();
+  all.push_back(table("part"));
+  return schema_of("Shmoo study file", all);
 }
 
 }  // namespace shmoo::scene

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/exact_solutions.hpp"
 #include "scene/read.hpp"
 #include "scene/schema.hpp"
+#include "scene/study.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -51,7 +53,8 @@ std::string rows(const std::vector<Key>& keys) {
 std::string heading(const Table& table) { return fmt::format("\n### `{}`\n\n{}\n", table.title, table.doc); }
 
 std::string table_text(const Table& table) {
-  std::string text = table.id.empty() ? fmt::format("### The top of the file\n\n{}\n", table.doc) : heading(table);
+  const bool whole = table.title == "the file";
+  std::string text = whole ? fmt::format("### The top of the file\n\n{}\n", table.doc) : heading(table);
   if (!table.keys.empty()) text += fmt::format("\n{}", rows(table.keys));
   if (table.shape == ShapeUse::required) text += "\nBesides, `shape` and the keys of that shape.\n";
   if (table.shape == ShapeUse::optional)
@@ -76,6 +79,20 @@ std::string key_reference() {
   std::string text;
   for (const Table& table : tables()) text += table_text(table);
   return text + shapes_text();
+}
+
+std::string study_key_reference() {
+  std::string text;
+  for (const Table& table : study_tables()) text += table_text(table);
+  text += "\n### Exact solutions\n\n| formula | what | parameters |\n| --- | --- | --- |\n";
+  for (const auto& one : base::exact_solutions()) {
+    std::vector<std::string> names;
+    for (const auto& parameter : one.parameters)
+      names.push_back(fmt::format("`{}` [{}]", parameter.name, base::si_unit(parameter.dimension)));
+    text += fmt::format("| `{}` | {} [{}] | {} |\n", one.name, cell(one.doc), base::si_unit(one.dimension),
+                        fmt::join(names, ", "));
+  }
+  return text;
 }
 
 }  // namespace shmoo::scene

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "scene/report.hpp"
+#include "scene/study.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -106,7 +107,25 @@ void apply(toml::table& root, const std::string& path, const std::string& value,
   replace(*holder, parts.back(), *parsed.get("value"));
 }
 
+const toml::node* look_into(const toml::node& node, const std::string& part) {
+  if (const auto* list = node.as_array()) return list->get(entry(*list, part));
+  const auto* table = node.as_table();
+  return table ? table->get(part) : nullptr;
+}
+
 }  // namespace
+
+base::Measured number_in_model(const std::string& text, const std::string& path) {
+  const toml::table root = toml::parse(text);
+  const toml::node* node = &root;
+  for (const auto& part : split(path)) {
+    node = look_into(*node, part);
+    if (!node) throw BadOverride("the model does not set it");
+  }
+  if (const auto* words = node->as_string()) return base::parse_quantity(words->get());
+  if (const auto number = node->value<double>(); number && !node->is_boolean()) return {*number, {}};
+  throw BadOverride("it is no number in the model");
+}
 
 void apply_overrides(toml::table& root, const Overrides& overrides) {
   std::vector<base::Diagnostic> diagnostics;

@@ -20,10 +20,16 @@ const std::vector<Table>& tables() {
   return all;
 }
 
+const std::vector<Table>& study_tables() {
+  static const std::vector<Table> all = study_file_tables();
+  return all;
+}
+
 const Table& table(std::string_view id) {
-  const auto found = std::find_if(tables().begin(), tables().end(), [&](const Table& one) { return one.id == id; });
-  if (found == tables().end()) throw std::logic_error(fmt::format("the schema has no table '{}'", id));
-  return *found;
+  for (const auto* part : {&tables(), &study_tables()})
+    for (const Table& one : *part)
+      if (one.id == id) return one;
+  throw std::logic_error(fmt::format("the schema has no table '{}'", id));
 }
 
 const ShapeTable* find_shape(std::string_view name) {

@@ -75,8 +75,9 @@ struct ShapeTable {
   std::vector<Key> keys;
 };
 
-const std::vector<Table>& tables();  // in the order of the reference
-const Table& table(std::string_view id);
+const std::vector<Table>& tables();        // of model files, in the order of the reference
+const std::vector<Table>& study_tables();  // of study files
+const Table& table(std::string_view id);   // of either
 const std::vector<ShapeTable>& shape_tables();
 const ShapeTable* find_shape(std::string_view name);
 const Key& shape_key();  // `shape` itself

@@ -10,5 +10,6 @@ std::vector<Table> world_tables();      // the file itself, domain, materials, r
 std::vector<Table> chemistry_tables();  // parameters, species, reactions, boundaries
 std::vector<Table> flow_tables();       // inflow, flow, effects
 std::vector<Table> run_tables();        // numerics, observables, run
+std::vector<Table> study_file_tables();
 
 }  // namespace shmoo::scene

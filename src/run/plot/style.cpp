@@ -40,10 +40,8 @@ std::string power_text(const std::string& unit, const std::string& length) {
 // "10^6 molecules" for numbers too large or too small to be read.
 Reading with_power_of_ten(const std::string& unit, double magnitude) {
   if (magnitude >= 1e-2 && magnitude < 1e5) return {1.0, unit};
-  static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const int power = 3 * static_cast<int>(std::floor(std::log10(magnitude) / 3));
-  std::string text = power < 0 ? "10⁻" : "10";
-  for (const char c : std::to_string(std::abs(power))) text += digits[static_cast<std::size_t>(c - '0')];
+  const auto text = power_of_ten(power);
   return {std::pow(10.0, -power), unit.empty() || unit == "1" ? text : text + " " + unit};
 }
 
@@ -93,6 +91,13 @@ Reading readable(const std::string& unit, double magnitude) {
     }
   }
   return with_power_of_ten(unit, magnitude);
+}
+
+std::string power_of_ten(int power) {
+  static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = power < 0 ? "10⁻" : "10";
+  for (const char c : std::to_string(std::abs(power))) text += digits[static_cast<std::size_t>(c - '0')];
+  return text;
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {

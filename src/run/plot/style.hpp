@@ -26,6 +26,7 @@ struct Reading {
 Reading readable(const std::string& unit, double magnitude);
 
 std::string with_unit(const std::string& name, const std::string& unit);  // "x (um)", or the name alone
+std::string power_of_ten(int power);                                      // "10⁻³"
 std::string time_text(double seconds);                                    // "t = 0.8 s", "t = 20 ms"
 
 struct Range {

@@ -1,0 +1,107 @@
+#include "base/exact_solutions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shmoo::base {
+namespace {
+
+using Point = ExactSolution::Point;
+using Values = std::span<const double>;
+using std::numbers::pi;
+constexpr double negligible = 1e-18;  // relative, of the terms of a series
+
+// C(0) = C0, C(L) = 0, nothing at t = 0. B. T. P. Jacob, dissertation, Eq. 2.30.
+double slab_diffusion(const Point& x, double t, Values p) {
+  const double length = p[0], kappa = p[1], s = x[0] / length;
+  double c = 1.0 - s;
+  for (int n = 1; n < 100000; ++n) {
+    const double k = n * pi, decay = std::exp(-k * k * kappa * t / (length * length));
+    c -= 2.0 / k * std::sin(k * s) * decay;
+    if (decay < negligible) break;
+  }
+  return p[2] * c;
+}
+
+// C = C0 on the side y = L of a square, 0 on the others; steady. Eq. 2.33 of the same, in a form that does not
+// overflow.
+double plate_diffusion(const Point& x, double, Values p) {
+  const double s = x[0] / p[0], r = x[1] / p[0];
+  double c = 0.0;
+  for (int n = 1; n < 20001; n += 2) {
+    const double k = n * pi;
+    const double ratio = std::exp(k * (r - 1.0)) * (1.0 - std::exp(-2.0 * k * r)) / (1.0 - std::exp(-2.0 * k));
+    c += 4.0 / k * std::sin(k * s) * ratio;
+    if (ratio < negligible) break;
+  }
+  return p[1] * c;
+}
+
+// Plane channel, from rest under a constant acceleration. J. P. Morris, P. J. Fox, Y. Zhu, J. Comput. Phys. 136 (1997)
+// 214, Eq. 21.
+double channel_flow(const Point& x, double t, Values p) {
+  const double width = p[0], force = p[1], nu = p[2] / p[3], y = x[1];
+  double u = force / (2.0 * nu) * y * (width - y);
+  for (int n = 1; n < 20001; n += 2) {
+    const double k = n * pi / width, decay = std::exp(-k * k * nu * t);
+    u -= 4.0 * force / (nu * width * k * k * k) * std::sin(k * y) * decay;
+    if (decay < negligible) break;
+  }
+  return u;
+}
+
+// u = -U cos kx sin ky, v = U sin kx cos ky with k = 2 pi/L decays as exp(-2 k^2 nu t). G. I. Taylor and A. E. Green,
+// Proc. R. Soc. A 158 (1937) 499, in two dimensions.
+double taylor_green_speed(const Point&, double t, Values p) {
+  const double k = 2.0 * pi / p[1];
+  return p[0] * std::exp(-2.0 * k * k * p[2] / p[3] * t);
+}
+
+// The integral of rho u^2/2 over the square L x L and its depth.
+double taylor_green_energy(const Point& x, double t, Values p) {
+  const double speed = taylor_green_speed(x, t, p.first(4));
+  return 0.25 * p[3] * speed * speed * p[1] * p[1] * p[4];
+}
+
+}  // namespace
+
+const std::vector<ExactSolution>& exact_solutions() {
+  using namespace dimensions;
+  static const std::vector<ExactSolution> all{
+      {"slab_diffusion",
+       "C(x, t) in a slab from x = 0 (held at the concentration) to x = length (held at 0), empty at t = 0",
+       concentration,
+       {{"length", length}, {"diffusivity", diffusivity}, {"concentration", concentration}},
+       slab_diffusion},
+      {"plate_diffusion",
+       "steady C(x, y) in the square from 0 to length whose side y = length is held at the concentration, the others "
+       "at 0",
+       concentration,
+       {{"length", length}, {"concentration", concentration}},
+       plate_diffusion},
+      {"channel_flow",
+       "u(y, t) between walls at y = 0 and y = width, from rest under a constant acceleration",
+       speed,
+       {{"width", length}, {"acceleration", acceleration}, {"viscosity", viscosity}, {"density", density}},
+       channel_flow},
+      {"taylor_green_speed",
+       "the largest speed of decaying Taylor-Green vortices in the periodic square",
+       speed,
+       {{"speed", speed}, {"length", length}, {"viscosity", viscosity}, {"density", density}},
+       taylor_green_speed},
+      {"taylor_green_energy",
+       "their kinetic energy",
+       energy,
+       {{"speed", speed}, {"length", length}, {"viscosity", viscosity}, {"density", density}, {"depth", length}},
+       taylor_green_energy}};
+  return all;
+}
+
+const ExactSolution* find_exact_solution(std::string_view name) {
+  const auto& all = exact_solutions();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace shmoo::base

@@ -1,11 +1,15 @@
 #include "rdme/voronoi.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 #include <voro++/voro++.hh>
+
+#include "base/error.hpp"
 
 namespace shmoo::rdme {
 namespace {
@@ -15,6 +19,7 @@ struct Face {
   double weight;
 };
 
+// In units of the spacing: the tolerances of Voro++ are absolute.
 template <int D>
 class Tessellation {
  public:
@@ -25,26 +30,28 @@ class Tessellation {
     constexpr double points_per_block = 5.0;
     for (std::size_t a = 0; a < 3; ++a) {  // an axis that is missing is one spacing thick
       const bool real = a < std::size_t(D);
-      lower[a] = real ? box.lower[int(a)] : -0.5 * spacing;
-      upper[a] = real ? box.upper[int(a)] : 0.5 * spacing;
+      lower[a] = real ? box.lower[int(a)] / spacing : -0.5;
+      upper[a] = real ? box.upper[int(a)] / spacing : 0.5;
       periodic[a] = real && box.periodic[a];
-      if (real) blocks[a] = std::max(1, int(box.size()[int(a)] / (spacing * std::pow(points_per_block, 1.0 / D))));
+      if (real) blocks[a] = std::max(1, int((upper[a] - lower[a]) / std::pow(points_per_block, 1.0 / D)));
     }
-    container_ = std::make_unique<voro::container>(lower[0], upper[0], lower[1], upper[1], lower[2], upper[2],
-                                                   blocks[0], blocks[1], blocks[2], periodic[0], periodic[1],
-                                                   periodic[2], 8);
+    container_ =
+        std::make_unique<voro::container>(lower[0], upper[0], lower[1], upper[1], lower[2], upper[2], blocks[0],
+                                          blocks[1], blocks[2], periodic[0], periodic[1], periodic[2], 8);
   }
 
   void put(std::size_t index, const base::Vec<D>& place) {
     std::array<double, 3> x{};
-    for (int a = 0; a < D; ++a) x[std::size_t(a)] = place[a];
+    for (int a = 0; a < D; ++a) x[std::size_t(a)] = place[a] / spacing_;
     container_->put(int(index), x[0], x[1], x[2]);
   }
 
   // Volumes and faces of the particles; every face is found from both of its cells and counts half each time. What
   // round-off lets one cell see and the other not is too small to matter.
   void cells(std::span<const base::Vec<D>> position, std::vector<double>& volume, std::vector<Face>& faces) const {
-    const double thickness = std::pow(spacing_, 3 - D), least = 1e-9 * std::pow(spacing_, D - 1) * thickness;
+    constexpr double least = 1e-9;  // area of a face that counts
+    const double unit_volume = std::pow(spacing_, D), unit_area = unit_volume / spacing_;
+    double filled = 0.0;
     std::vector<int> neighbour;
     std::vector<double> area;
     voro::voronoicell_neighbor cell;
@@ -52,17 +59,25 @@ class Tessellation {
     if (!loop.start()) return;
     do {
       const auto i = std::size_t(loop.pid());
-      if (i >= position.size() || !container_->compute_cell(cell, loop)) continue;
-      volume[i] = cell.volume() / thickness;
+      if (!container_->compute_cell(cell, loop)) continue;
+      filled += cell.volume() * unit_volume;
+      if (i >= position.size()) continue;
+      volume[i] = cell.volume() * unit_volume;
       cell.neighbors(neighbour);
       cell.face_areas(area);
       for (std::size_t f = 0; f < neighbour.size(); ++f) {
         const auto j = std::size_t(neighbour[f]);
         if (neighbour[f] < 0 || j == i || j >= position.size() || area[f] < least) continue;
         const double r = box_.nearest(position[i] - position[j]).norm();
-        faces.push_back({std::uint32_t(std::min(i, j)), std::uint32_t(std::max(i, j)), 0.5 * area[f] / thickness / r});
+        faces.push_back({std::uint32_t(std::min(i, j)), std::uint32_t(std::max(i, j)), 0.5 * area[f] * unit_area / r});
       }
     } while (loop.inc());
+    const bool all = std::find(volume.begin(), volume.end(), 0.0) == volume.end();
+    if (all && std::abs(filled / box_.volume() - 1.0) < 1e-6) return;
+    throw base::RunError(fmt::format(
+        "the Voronoi cells of {} particles fill {:.6g} of the domain: particles coincide or lie outside; use a smaller "
+        "domain.jitter, or look at how the flow behaves",
+        position.size(), filled / box_.volume()));
   }
 
  private:

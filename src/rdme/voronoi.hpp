@@ -20,6 +20,7 @@ struct VoronoiCells {
 
 // `vacant` [m] are further points that have cells but are no particles: they bound the cells beside a void. `spacing` [m]
 // is the typical distance of points. All points lie in the box, and every periodic extent is at least four spacings.
+// Throws base::RunError where points coincide or lie outside.
 template <int D>
 VoronoiCells voronoi_cells(std::span<const base::Vec<D>> position, std::span<const base::Vec<D>> vacant,
                            const base::Box<D>& box, double spacing);

@@ -1,5 +1,5 @@
-// Laws of Voronoi faces: they close every cell, fill the box, are exact for linear profiles and converge at second order
-// on disordered particles.
+// Laws of Voronoi faces: they close every cell, fill the box, are exact for linear profiles and converge at second
+// order on disordered particles.
 #include "rdme/voronoi.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/error.hpp"
 #include "base/random.hpp"
 #include "rdme/jump_graph.hpp"
 
@@ -19,14 +20,15 @@ using namespace shmoo;
 
 template <int D>
 struct Cloud {
-  Cloud(int n, double jitter, std::array<bool, D> periodic) : spacing(1.0 / n) {
+  Cloud(int n, double jitter, std::array<bool, D> periodic, double size = 1.0) : spacing(size / n) {
+    box.upper *= size;
     box.periodic = periodic;
     base::RandomSequence random({11, 0}, base::Stream::test);
     const int total = static_cast<int>(std::pow(n, D) + 0.5);
     for (int k = 0; k < total; ++k) {
       auto& x = position.emplace_back();
       for (int a = 0, rest = k; a < D; ++a, rest /= n) {
-        x[a] = (rest % n + 0.5 + jitter * (2.0 * random.uniform() - 1.0)) / n;
+        x[a] = (rest % n + 0.5 + jitter * (2.0 * random.uniform() - 1.0)) * spacing;
       }
     }
   }
@@ -52,17 +54,17 @@ void check_cells(const Cloud<D>& cloud) {
       if (f > faces.first[i]) {
         EXPECT_LT(faces.target[f - 1], faces.target[f]);
       }
-      const auto row = std::span(faces.target).subspan(faces.first[faces.target[f]],
-                                                       faces.first[faces.target[f] + 1] - faces.first[faces.target[f]]);
+      const auto row =
+          std::span(faces.target)
+              .subspan(faces.first[faces.target[f]], faces.first[faces.target[f] + 1] - faces.first[faces.target[f]]);
       const auto back = std::find(row.begin(), row.end(), std::uint32_t(i));
       ASSERT_NE(back, row.end());
-      EXPECT_EQ(faces.weight[f],
-                faces.weight[faces.first[faces.target[f]] + std::uint64_t(back - row.begin())]);
+      EXPECT_EQ(faces.weight[f], faces.weight[faces.first[faces.target[f]] + std::uint64_t(back - row.begin())]);
     }
     EXPECT_LT(closure.norm(), 1e-9 * gross);
   }
-  EXPECT_NEAR(volume, 1.0, 1e-9);  // pyramids over the faces fill the periodic box
-  EXPECT_NEAR(std::accumulate(faces.volume.begin(), faces.volume.end(), 0.0), 1.0, 1e-9);
+  EXPECT_NEAR(volume / cloud.box.volume(), 1.0, 1e-9);  // pyramids over the faces fill the periodic box
+  EXPECT_NEAR(std::accumulate(faces.volume.begin(), faces.volume.end(), 0.0) / cloud.box.volume(), 1.0, 1e-9);
 }
 
 TEST(Voronoi, CellsOfAPeriodicBoxCloseAndFillIt) {
@@ -71,6 +73,8 @@ TEST(Voronoi, CellsOfAPeriodicBoxCloseAndFillIt) {
   check_cells(Cloud<2>(12, 0.4, {true, true}));
   check_cells(Cloud<3>(8, 0.0, {true, true, true}));
   check_cells(Cloud<3>(8, 0.3, {true, true, true}));
+  check_cells(Cloud<2>(12, 0.3, {true, true}, 1e-5));  // of a living cell, and of a lake
+  check_cells(Cloud<3>(8, 0.3, {true, true, true}, 1e4));
 }
 
 // The steady profile C(x) = x between open sides, other axes reflecting: exact on any arrangement.
@@ -142,6 +146,15 @@ TEST(Voronoi, VacantPointsBoundTheCellsBesideAVoid) {
   ASSERT_EQ(cells.volume.size(), kept.size());
   for (const double volume : cells.volume) EXPECT_NEAR(volume, 1.0 / 64, 1e-12);
   for (const double weight : cells.weight) EXPECT_NEAR(weight, 1.0, 1e-9);
+}
+
+TEST(Voronoi, RefusesParticlesThatCoincideOrLieOutside) {
+  Cloud<2> cloud(6, 0.2, {});
+  cloud.position[7] = cloud.position[8];
+  EXPECT_THROW(cloud.cells(), base::RunError);
+  cloud = Cloud<2>(6, 0.2, {});
+  cloud.position[7][1] = 1.01;
+  EXPECT_THROW(cloud.cells(), base::RunError);
 }
 
 TEST(Voronoi, DiffusionConvergesAtSecondOrderOnDisorderedParticles) {

@@ -9,6 +9,7 @@
 
 #include "ensemble_moments.hpp"
 #include "memory_sink.hpp"
+#include "start_from.hpp"
 
 namespace {
 
@@ -119,19 +120,10 @@ TEST(PublishedTables, StochasticDiffusionInAPlate) {
     overrides.push_back({"numerics.sampler", "\"split\""});
     auto scene =
         scene::read_scene(std::string(SHMOO_SOURCE_DIR) + "/models/validation/diffusion-2d/model.toml", overrides);
-    scene.initials.clear();
+    test::start_from(steady, 1, 1.0 / level.n, scene);
     const auto& mean = steady.shared.at("C", 1);
     const auto places = steady.experiment->start_position();
     const auto& volume = steady.shared.at("volume", 0);
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-      const double half = 0.5 / level.n;
-      const scene::BoxShape cell{{places[i][0] - half, places[i][1] - half, 0},
-                                 {places[i][0] + half, places[i][1] + half, 0}};
-      scene::Initial initial;
-      initial.shape = std::make_shared<scene::Shape>(scene::Shape{cell});
-      initial.concentration.value = mean[i] / volume[i];
-      scene.initials.push_back(initial);
-    }
     const test::Laboratory lab(std::move(scene));
     test::Moments moments;
     const int realisations = 50;

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "coupling/chemistry.hpp"
 #include "coupling/recorder.hpp"
+#include "coupling/rules/judgement.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/timeline.hpp"
 
@@ -31,7 +32,11 @@ std::array<std::size_t, 3> lattice_cells(const sph::Filling<D>& filling) {
 template <int D>
 class ExperimentOf final : public Experiment {
  public:
-  explicit ExperimentOf(scene::Scene scene) : ExperimentOf(std::make_unique<scene::Scene>(std::move(scene)), {}) {}
+  explicit ExperimentOf(Judgement judgement)
+      : ExperimentOf(std::make_unique<scene::Scene>(std::move(judgement.scene)), {}) {
+    for (auto& number : judgement.derived) derived_.push_back(std::move(number));
+    notes_ = std::move(judgement.notes);
+  }
 
   const scene::Scene& scene() const override { return *scene_; }
   const RecordLayout& layout() const override { return recorder_.layout(); }
@@ -46,6 +51,7 @@ class ExperimentOf final : public Experiment {
     return places;
   }
   std::vector<Derived> derived() const override { return derived_; }
+  std::vector<std::string> notes() const override { return notes_; }
 
   bool prepare(RecordSink& sink, const Progress& progress) override {
     if (!flow_random_) {
@@ -165,6 +171,7 @@ class ExperimentOf final : public Experiment {
   Step step_;
   Recorder<D> recorder_;
   std::vector<Derived> derived_;
+  std::vector<std::string> notes_;
   std::shared_ptr<const Stage<D>> start_;
   std::vector<Interval<D>> intervals_;  // of the flow that all realisations share
   Outcome alike_;                       // where nothing is random: the outcome of every realisation
@@ -173,13 +180,14 @@ class ExperimentOf final : public Experiment {
 }  // namespace
 
 std::unique_ptr<Experiment> make_experiment(scene::Scene scene) {
-  switch (scene.dimension) {
+  auto judgement = judge(std::move(scene));
+  switch (judgement.scene.dimension) {
     case 1:
-      return std::make_unique<ExperimentOf<1>>(std::move(scene));
+      return std::make_unique<ExperimentOf<1>>(std::move(judgement));
     case 2:
-      return std::make_unique<ExperimentOf<2>>(std::move(scene));
+      return std::make_unique<ExperimentOf<2>>(std::move(judgement));
     default:
-      return std::make_unique<ExperimentOf<3>>(std::move(scene));
+      return std::make_unique<ExperimentOf<3>>(std::move(judgement));
   }
 }
 

@@ -45,6 +45,9 @@ class Experiment {
   };
   virtual std::vector<Derived> derived() const = 0;
 
+  // What a user should know before it runs: what rules decided, and limits that are not kept.
+  virtual std::vector<std::string> notes() const { return {}; }
+
   // Runs what all realisations share (a flow that nothing random acts on) and sends shared fields and observables to
   // `sink`. Called once, before any realise(). Returns false if stopped.
   virtual bool prepare(RecordSink& sink, const Progress& progress) = 0;
@@ -54,7 +57,8 @@ class Experiment {
   virtual bool realise(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) = 0;
 };
 
-// Throws base::InputError where the scene cannot be built (a region or home without particles, ...).
+// Decides first what the scene leaves to "auto". Throws base::InputError where the scene cannot be built (a region or
+// home without particles, ...) or is beyond a limit that makes its run worthless.
 std::unique_ptr<Experiment> make_experiment(scene::Scene scene);
 
 }  // namespace shmoo::coupling

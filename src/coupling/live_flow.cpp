@@ -11,9 +11,7 @@
 namespace shmoo::coupling {
 namespace {
 
-constexpr double most_movement = 0.25;       // [spacings] of a particle in one interval
-constexpr double most_looks = 100;           // at the window's pace; then at the pace of the particles
-constexpr double part_of_time_scale = 0.25;  // between two looks at whether the flow is steady
+constexpr double most_looks = 100;  // at the window's pace; then at the pace of the particles
 
 template <int D>
 class FluidInMotion final : public LiveFlow<D> {

@@ -11,6 +11,9 @@
 
 namespace shmoo::coupling {
 
+inline constexpr double most_movement = 0.25;       // [spacings] of a particle in one interval
+inline constexpr double part_of_time_scale = 0.25;  // of the flow's shortest, between two looks at whether it is steady
+
 template <int D>
 class LiveFlow {
  public:

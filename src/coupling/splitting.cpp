@@ -22,14 +22,21 @@ bool kinds_meet(const rdme::Network& network) {
   return false;
 }
 
+// Events per volume and time of mass action.
+template <class Reaction>
+double mass_action(const Reaction& reaction, const std::vector<double>& reference) {
+  double v = reaction.rate_constant;
+  for (const auto& term : reaction.reactants) v *= std::pow(reference[std::size_t(term.species)], term.count);
+  return v;
+}
+
 // The largest rate [1/s] at which a reaction uses up one of its reactants.
 std::pair<double, std::string> fastest_reaction(const rdme::Network& network, const std::vector<double>& reference) {
   double fastest = 0.0;
   std::string name;
   for (const auto& reaction : network.reactions()) {
     if (!reaction.expression.empty()) continue;
-    double v = reaction.rate_constant;
-    for (const auto& term : reaction.reactants) v *= std::pow(reference[std::size_t(term.species)], term.count);
+    const double v = mass_action(reaction, reference);
     for (const auto& term : reaction.reactants) {
       const double c = reference[std::size_t(term.species)];
       const double rate = c > 0.0 ? term.count * v / c : 0.0;
@@ -44,8 +51,9 @@ std::pair<double, std::string> fastest_reaction(const rdme::Network& network, co
 
 }  // namespace
 
-std::vector<double> reference_concentrations(const scene::Scene& scene) {
-  std::vector<double> reference(scene.species.size(), 0.0);
+std::vector<double> reference_concentrations(const scene::Scene& scene, std::vector<double> start) {
+  std::vector<double> reference = std::move(start);
+  reference.resize(scene.species.size(), 0.0);
   const auto raise = [&](int species, double to) {
     reference[std::size_t(species)] = std::max(reference[std::size_t(species)], to);
   };
@@ -64,6 +72,18 @@ std::vector<double> reference_concentrations(const scene::Scene& scene) {
     }
   }
   return reference;
+}
+
+std::vector<double> turnover(const scene::Scene& scene, const std::vector<double>& reference) {
+  std::vector<double> rate(reference.size(), 0.0);
+  for (const auto& reaction : scene.reactions) {
+    if (!reaction.expression.empty()) continue;
+    for (const auto& term : reaction.reactants) {
+      const auto s = std::size_t(term.species);
+      if (reference[s] > 0.0) rate[s] += term.count * mass_action(reaction, reference) / reference[s];
+    }
+  }
+  return rate;
 }
 
 Step splitting_step(const scene::Scene& scene, const rdme::Network& network) {

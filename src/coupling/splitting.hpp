@@ -14,8 +14,12 @@ struct Step {
 };
 
 // The largest concentration of each species that the scene names (initial, boundary, inflow), carried on to the
-// products of reactions [molecules/m^3]. Zero where nothing tells.
-std::vector<double> reference_concentrations(const scene::Scene& scene);
+// products of reactions [molecules/m^3]. Zero where nothing tells. `start` [molecules/m^3], by species, is known
+// besides.
+std::vector<double> reference_concentrations(const scene::Scene& scene, std::vector<double> start = {});
+
+// The rate [1/s] at which each species is used up by mass action at these concentrations.
+std::vector<double> turnover(const scene::Scene& scene, const std::vector<double>& reference);
 
 // The step between deterministic and sampled chemistry (and between reactions and diffusion in the split sampler): a
 // hundredth of the time scale of the fastest reaction at the reference concentrations, as the error of Strang splitting

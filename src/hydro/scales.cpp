@@ -209,11 +209,10 @@ void refuse_small_box(const scene::Scene& scene, const Scales<D>& scales) {
   }
 }
 
-}  // namespace
-
+// What the scene says of a fluid, before its speeds are known.
 template <int D>
-Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& filling, std::vector<Derived>& derived) {
-  if (scene.dimension != D) throw std::logic_error("derive_scales: dimension of scene and flow differ");
+Scales<D> scales_at_rest(const scene::Scene& scene, const sph::Filling<D>& filling) {
+  if (scene.dimension != D) throw std::logic_error("scales_at_rest: dimension of scene and flow differ");
   const auto& fluid = only_fluid(scene);
   Scales<D> scales;
   scales.spacing = std::pow(filling.cell, 1.0 / D);
@@ -230,6 +229,19 @@ Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& fillin
   scales.courant = scene.numerics.courant;
   if (scene.flow.body_force) scales.body_force = vector_of<D>(*scene.flow.body_force);
   scales.length = scene.flow.reference_length.value_or(default_length<D>(scene));
+  return scales;
+}
+
+}  // namespace
+
+template <int D>
+double driven_speed(const scene::Scene& scene, const sph::Filling<D>& filling) {
+  return largest_speed<D>(scene, filling, scales_at_rest<D>(scene, filling)).speed;
+}
+
+template <int D>
+Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& filling, std::vector<Derived>& derived) {
+  Scales<D> scales = scales_at_rest<D>(scene, filling);
   refuse_small_box<D>(scene, scales);
   derive_noise<D>(scene, scales);
   const auto [speed, speed_why] = largest_speed<D>(scene, filling, scales);
@@ -253,6 +265,8 @@ void list_base_limits(const Scales<D>& scales, std::vector<StepLimit>& limits) {
 
 template Scales<2> derive_scales(const scene::Scene&, const sph::Filling<2>&, std::vector<Derived>&);
 template Scales<3> derive_scales(const scene::Scene&, const sph::Filling<3>&, std::vector<Derived>&);
+template double driven_speed(const scene::Scene&, const sph::Filling<2>&);
+template double driven_speed(const scene::Scene&, const sph::Filling<3>&);
 template void list_base_limits(const Scales<2>&, std::vector<StepLimit>&);
 template void list_base_limits(const Scales<3>&, std::vector<StepLimit>&);
 

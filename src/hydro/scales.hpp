@@ -69,6 +69,10 @@ double friction_beta(double eta, double zeta) {
 template <int D>
 Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& filling, std::vector<Derived>& derived);
 
+// The largest speed [m/s] that the scene names or drives, thermal motion aside; 0 where nothing drives the fluid.
+template <int D>
+double driven_speed(const scene::Scene& scene, const sph::Filling<D>& filling);
+
 // The step limits that do not belong to an effect.
 template <int D>
 void list_base_limits(const Scales<D>& scales, std::vector<StepLimit>& limits);

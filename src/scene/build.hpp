@@ -2,6 +2,7 @@
 // From a checked document to a Scene: names become indices, defaults are filled in, and what only makes sense together
 // is compared. Each function handles one part of the file, reports its mistakes through its section, and relies on
 // those before it in this list.
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -17,6 +18,20 @@ struct Draft : Scene {
   std::map<std::string, base::Dimension> parameter_dimensions;  // of those that have a unit
   std::set<std::string> bad_names;                              // parameters whose values were found bad
 };
+
+// The meaning of a word from a fixed list; `value` stays where the key is absent.
+template <class Enumeration, std::size_t N>
+void read_choice(const Section& section, std::string_view key,
+                 const std::array<std::pair<const char*, Enumeration>, N>& names, Enumeration& value) {
+  const auto text = section.text(key);
+  for (const auto& [name, meaning] : names)
+    if (text == name) value = meaning;
+}
+
+inline constexpr std::array<std::pair<const char*, SpeciesMethod>, 3> species_methods{
+    {{"stochastic", SpeciesMethod::stochastic},
+     {"deterministic", SpeciesMethod::deterministic},
+     {"auto", SpeciesMethod::automatic}}};
 
 void build_run(const Section& root, Scene& scene);
 void build_materials(const Section& root, Scene& scene);
@@ -48,8 +63,8 @@ int species_index(const Scene& scene, const std::string& name, const Section& se
 // turns false.
 std::vector<int> material_list(const Scene& scene, const Section& section, std::string_view key, bool& good);
 
-// Checks a formula: defined names, dimension; a concentration is not negative. Variables are x, y, z, the parameters and,
-// where it is a rate law, t and the species. Returns the species that it uses.
+// Checks a formula: defined names, dimension; a concentration is not negative. Variables are x, y, z, the parameters
+// and, where it is a rate law, t and the species. Returns the species that it uses.
 std::vector<int> check_formula(const Draft& draft, const Section& section, std::string_view key, const toml::node& at,
                                const base::Dimension& dimension, bool rate_law);
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
 
 #include "scene/build.hpp"
 #include "scene/check.hpp"
@@ -10,13 +10,7 @@
 namespace shmoo::scene {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Effects::*>, 6> of_flow{
-    {{"viscosity", &Effects::viscosity},
-     {"density_diffusion", &Effects::density_diffusion},
-     {"transport_velocity", &Effects::transport_velocity},
-     {"bounce_back", &Effects::bounce_back},
-     {"thermal_noise", &Effects::thermal_noise},
-     {"species_advection", &Effects::species_advection}}};
+constexpr std::span of_flow = std::span(effect_keys).subspan(1);  // all but the flow itself
 
 // A table that is absent answers as an empty one.
 class Asked {
@@ -24,6 +18,9 @@ class Asked {
   explicit Asked(const Section& root) : root_(root), section_(root.section("effects")) {}
   bool has(std::string_view key) const { return section_ && section_->has(key); }
   std::optional<bool> value(std::string_view key) const { return section_ ? section_->boolean(key) : std::nullopt; }
+  bool automatic(std::string_view key) const {
+    return section_ && section_->text(section_->has(key) ? key : "default") == "auto";
+  }
   void error(std::string_view key, const std::string& message) const {
     if (section_)
       section_->error(key, message);
@@ -48,6 +45,7 @@ std::string driver(const Scene& scene, const Asked& asked) {
   for (const auto& axis : scene.domain.sides)
     for (const auto& side : axis)
       if (side.velocity != Point{}) return "a sliding side of the domain";
+  if (asked.automatic("thermal_noise") && scene.flow.thermal_energy) return "flow.temperature";
   return asked.value("thermal_noise") == true ? "effects.thermal_noise" : "";
 }
 
@@ -121,6 +119,8 @@ void build_effects(const Section& root, Scene& scene) {
   const std::string why = driver(scene, asked);
   Effects& effects = scene.effects;
   effects.flow = asked.value("flow").value_or(!why.empty());
+  for (const auto& [name, on] : effect_keys)
+    if (asked.automatic(name)) scene.undecided.push_back(on);
   if (!effects.flow) {
     for (const auto& [name, member] : of_flow) {
       if (asked.value(name) == true) asked.error(name, "needs effects.flow, which is off");

@@ -14,14 +14,6 @@ namespace {
 constexpr double most_records = 1e6;
 constexpr std::array flow_fields{"position", "velocity", "density", "pressure"};
 
-template <class Enumeration, std::size_t N>
-void read_choice(const Section& section, std::string_view key,
-                 const std::array<std::pair<const char*, Enumeration>, N>& names, Enumeration& value) {
-  const auto text = section.text(key);
-  for (const auto& [name, meaning] : names)
-    if (text == name) value = meaning;
-}
-
 void check_reach(const Section& root, const Scene& scene) {
   const double width = 2 * scene.numerics.reach * scene.domain.spacing;
   const auto domain = root.section("domain");
@@ -102,6 +94,10 @@ void build_numerics(const Section& root, Scene& scene) {
         *section, "splitting",
         std::array<std::pair<const char*, Splitting>, 2>{{{"lie", Splitting::lie}, {"strang", Splitting::strang}}},
         numerics.splitting);
+    read_choice(*section, "method", species_methods, numerics.method);
+    read_choice(*section, "limits",
+                std::array<std::pair<const char*, Limits>, 2>{{{"refuse", Limits::refuse}, {"warn", Limits::warn}}},
+                numerics.limits);
     numerics.reach = section->number("reach").value_or(numerics.reach);
     numerics.courant = section->number("courant").value_or(numerics.courant);
     numerics.splitting_step = section->quantity("splitting_step");

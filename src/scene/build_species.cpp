@@ -76,7 +76,8 @@ void build_species(const Section& root, Draft& draft) {
     if (draft.parameters.contains(name) || draft.bad_names.contains(name))
       section.error(fmt::format("a parameter is called '{}' too; rename one of them", name));
     species.diffusivity = section.quantity("diffusivity").value_or(0);
-    if (section.text("method") == "deterministic") species.method = SpeciesMethod::deterministic;
+    species.method = draft.numerics.method;
+    read_choice(section, "method", species_methods, species.method);
     read_homes(section, draft, species);
     draft.species.push_back(std::move(species));
   }

@@ -186,9 +186,7 @@ bool Checker::check_string(const toml::node& value, const std::string& text, con
   const Form* quantity = form_of(forms, {Kind::quantity, Kind::unit_later});
   const Form* words = form_of(forms, {Kind::text, Kind::expression});
   if (quantity && (!words || looks_like_quantity(text))) return check_quantity(value, text, *quantity, path);
-  if (const Form* form = form_of(forms, {Kind::choice})) return check_choice(value, text, *form, path);
-  if (!words && text == "auto" && form_of(forms, {Kind::boolean}))
-    return fail(value, path, "\"auto\" is not in this version; write true or false");
+  if (const Form* form = form_of(forms, {Kind::choice})) return check_choice(value, text, *form, forms, path);
   if (!words) return wrong(value, forms, path);
   return text.find_first_not_of(" \t\n\r") != std::string::npos || words->what == "any text" ||
                  words->kind == Kind::expression
@@ -197,15 +195,11 @@ bool Checker::check_string(const toml::node& value, const std::string& text, con
 }
 
 bool Checker::check_choice(const toml::node& value, const std::string& text, const Form& form,
-                           const std::string& path) {
+                           const std::vector<Form>& forms, const std::string& path) {
   if (std::find(form.choices.begin(), form.choices.end(), text) != form.choices.end()) return true;
-  if (text == "auto") {
-    const std::string message = fmt::format("\"auto\" is not in this version; write {}", expected(form));
-    return fail(value, path, message);
-  }
   return fail(value, path,
               fmt::format("got {}{}", quoted(text),
-                          suggestion(text, strings(form.choices), fmt::format("expected {}", expected(form)))));
+                          suggestion(text, strings(form.choices), fmt::format("expected {}", expected(forms)))));
 }
 
 bool Checker::check_quantity(const toml::node& value, const std::string& text, const Form& form,

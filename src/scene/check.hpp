@@ -29,7 +29,8 @@ class Checker {
   bool check_value(const toml::node& value, const std::vector<Form>& forms, const std::string& path);
   bool check_string(const toml::node& value, const std::string& text, const std::vector<Form>& forms,
                     const std::string& path);
-  bool check_choice(const toml::node& value, const std::string& text, const Form& form, const std::string& path);
+  bool check_choice(const toml::node& value, const std::string& text, const Form& form, const std::vector<Form>& forms,
+                    const std::string& path);
   bool check_quantity(const toml::node& value, const std::string& text, const Form& form, const std::string& path);
   bool check_number(const toml::node& value, const std::vector<Form>& forms, const std::string& path);
   bool check_list(const toml::node& value, const Form& form, const std::string& path);

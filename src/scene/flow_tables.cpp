@@ -72,22 +72,24 @@ Table flow_table() {
 
 Table effects_table() {
   const auto effect = [](std::string_view name, std::string_view fallback, std::string_view doc) {
-    return Key{name, {boolean()}, false, fallback, doc};
+    return Key{name, {boolean(), choice({"auto"})}, false, fallback, doc};
   };
-  return {"effects",
-          "[effects]",
-          "What is computed. An effect that is off costs nothing. All but `flow` need the flow.",
-          {{"default", {refused()}, false, "", "\"auto\" is not in this version; write each effect as true or false"},
-           effect("flow", "true where something drives a fluid",
-                  "the fluid moves; driven by an inflow velocity, a body force, an initial velocity, a moving wall or "
-                  "thermal noise"),
-           effect("viscosity", "true", "friction inside the fluid"),
-           effect("density_diffusion", "true", "smooths the density"),
-           effect("transport_velocity", "true", "shifts particles towards even spacing"),
-           effect("bounce_back", "true where there are walls", "turns particles back that come too close to a wall"),
-           effect("thermal_noise", "false",
-                  "random forces of the heat bath; needs flow.temperature or flow.thermal_energy"),
-           effect("species_advection", "true where there are species", "the flow carries species")}};
+  return {
+      "effects",
+      "[effects]",
+      "What is computed. An effect that is off costs nothing. All but `flow` need the flow. With \"auto\" rules decide "
+      "from the numbers of the scene; `shmoo explain` tells which and why.",
+      {{"default", {choice({"auto"})}, false, "as below", "\"auto\": for every effect that is not named here"},
+       effect("flow", "true where something drives a fluid",
+              "the fluid moves; driven by an inflow velocity, a body force, an initial velocity, a moving wall or "
+              "thermal noise"),
+       effect("viscosity", "true", "friction inside the fluid"),
+       effect("density_diffusion", "true", "smooths the density"),
+       effect("transport_velocity", "true", "shifts particles towards even spacing"),
+       effect("bounce_back", "true where there are walls", "turns particles back that come too close to a wall"),
+       effect("thermal_noise", "false",
+              "random forces of the heat bath; needs flow.temperature or flow.thermal_energy"),
+       effect("species_advection", "true where there are species", "the flow carries species")}};
 }
 
 }  // namespace

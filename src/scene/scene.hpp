@@ -82,7 +82,7 @@ struct Domain {
 };
 
 // ---- chemistry -----------------------------------------------------------------------------------------------------
-enum class SpeciesMethod { deterministic, stochastic };
+enum class SpeciesMethod { deterministic, stochastic, automatic };  // automatic: rules decide before anything runs
 
 // A number or an expression. Expressions see x, y, z [m], t [s], every parameter (SI) and, in rate laws, every species by
 // name as a concentration [molecules/m^3].
@@ -165,11 +165,21 @@ struct Effects {
   bool species_advection = true;   // the flow carries species (also the exchange under the transport velocity)
 };
 
+struct EffectKey { const char* name; bool Effects::*on; };
+inline constexpr std::array<EffectKey, 7> effect_keys{{{"flow", &Effects::flow},
+                                                       {"viscosity", &Effects::viscosity},
+                                                       {"density_diffusion", &Effects::density_diffusion},
+                                                       {"transport_velocity", &Effects::transport_velocity},
+                                                       {"bounce_back", &Effects::bounce_back},
+                                                       {"thermal_noise", &Effects::thermal_noise},
+                                                       {"species_advection", &Effects::species_advection}}};
+
 // ---- how -----------------------------------------------------------------------------------------------------------
 enum class Kernel { lucy, cubic_spline, quintic_spline, wendland_c2 };
 enum class PressureForm { symmetric, difference };
 enum class Sampler { direct, composition_rejection, split };
 enum class Splitting { lie, strang };
+enum class Limits { refuse, warn };  // what a run does that is beyond a limit that makes its result worthless
 
 struct Numerics {
   Kernel kernel = Kernel::wendland_c2;
@@ -180,6 +190,8 @@ struct Numerics {
   Splitting splitting = Splitting::strang;
   std::optional<double> splitting_step;          // [s]; derived where absent
   double tolerance = 1e-6;                       // relative, of the deterministic chemistry
+  SpeciesMethod method = SpeciesMethod::stochastic;  // of species that name none
+  Limits limits = Limits::refuse;
   std::optional<double> steady_tolerance;        // relative change of the flow per crossing time below which it is carried; absent: never
 };
 
@@ -233,6 +245,7 @@ struct Scene {
   std::vector<Inflow> inflows;
   Flow flow;
   Effects effects;
+  std::vector<bool Effects::*> undecided;  // "auto": rules decide before anything runs; until then as without rules
   Numerics numerics;
   std::vector<Observable> observables;
   Run run;

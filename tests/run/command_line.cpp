@@ -66,7 +66,7 @@ class CommandLine : public ::testing::Test {
 };
 
 TEST_F(CommandLine, MistakesNameWhatCameAndWhatIsAllowed) {
-  expect_error({}, "no verb given; allowed: run, check, info");
+  expect_error({}, "no verb given; allowed: run, check, explain, info");
   expect_error({"rnu", "m.toml"}, "unknown verb 'rnu'; did you mean 'run'?");
   expect_error({"--vresion"}, "did you mean '--version'?");
   expect_error({"run", "m.toml", "--thread", "3"},

@@ -88,6 +88,8 @@ int run_model(const Wish& wish, const Workshop& workshop) {
   scene.run.realisations = static_cast<int>(realisations);
 
   const auto experiment = workshop.make(std::move(scene));
+  if (!wish.quiet)
+    for (const auto& note : experiment->notes()) fmt::print(stderr, "{}\n", note);
   const auto go_on = command_to_go_on(wish, output, realisations, seed);
   const EnsembleOptions options{.output = output,
                                 .realisations = static_cast<std::uint32_t>(realisations),

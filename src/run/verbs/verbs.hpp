@@ -18,6 +18,7 @@ struct Desk {
 
 void declare_run(CLI::App& app, Desk& desk);
 void declare_check(CLI::App& app, Desk& desk);
+void declare_explain(CLI::App& app, Desk& desk);
 void declare_info(CLI::App& app, Desk& desk);
 void declare_plot(CLI::App& app, Desk& desk);
 void declare_export(CLI::App& app, Desk& desk);

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/rules/limits.hpp"
+
+namespace shmoo::coupling {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Limit mach(const Numbers& numbers) {
+  const auto& flow = numbers.flow;
+  return {"Mach number",
+          flow.mach(),
+          0.1,
+          1.0,
+          fmt::format("U/c0 = {:.3g}/{:.3g} m/s; density varies by its square", flow.speed, flow.sound_speed),
+          fmt::format("leave flow.sound_speed out, or give at least {:.3g} m/s", 10.0 * flow.speed),
+          "Monaghan 1994: density variation (U/c0)^2, 1 % at 0.1"};
+}
+
+// Points of the lattice within the kernel's reach, the particle itself left out.
+int neighbours(int dimension, double reach) {
+  const int most = int(std::ceil(reach)), depth = dimension == 3 ? most : 0;
+  int count = -1;
+  for (int k = -depth; k <= depth; ++k)
+    for (int j = -most; j <= most; ++j)
+      for (int i = -most; i <= most; ++i) count += i * i + j * j + k * k < reach * reach ? 1 : 0;
+  return count;
+}
+
+// Judged upside down, as the shortage: too few are too few however many there are.
+Limit support(const scene::Scene& scene) {
+  constexpr double enough = 2.0;  // [spacings]
+  const double reach = scene.numerics.reach;
+  const int have = neighbours(scene.dimension, reach), wanted = neighbours(scene.dimension, enough) + 1;
+  return {"neighbours wanted over neighbours",
+          double(wanted) / have,
+          1.0,
+          infinite,
+          fmt::format("a kernel of reach {:g} spacings sees {} particles; {} are wanted", reach, have, wanted),
+          fmt::format("set numerics.reach to more than {:g}", enough),
+          "Quinlan, Basa & Lastiwka 2006: the sums' error grows as neighbours get fewer"};
+}
+
+Limit wall_layers(const scene::Scene& scene, double layers) {
+  const double wanted = std::ceil(scene.numerics.reach);
+  return {
+      "wall layers wanted over wall layers",
+      wanted / layers,
+      1.0,
+      infinite,
+      fmt::format("{:g} layers of particles where walls are thinnest; the kernel reaches over {:g}", layers, wanted),
+      fmt::format("make walls at least {:.3g} m thick, or the spacing smaller", wanted * scene.domain.spacing),
+      "Adami, Hu & Adams 2012: walls fill the kernel's support"};
+}
+
+// Where a steady flow passes through particles that stand, too coarse a grid spreads species like diffusion.
+void add_cell_peclet(const scene::Scene& scene, const Numbers& numbers, std::vector<Limit>& limits) {
+  if (!scene.numerics.steady_tolerance || !scene.effects.species_advection) return;
+  for (const auto& species : numbers.species) {
+    if (!species.carried) continue;
+    const double value = numbers.cell_peclet(species);
+    const auto spacing =
+        fmt::format("set domain.spacing to at most {:.2g} m", 2.0 * species.diffusivity / numbers.flow.speed);
+    limits.push_back({"cell Peclet number of " + species.name, value, 2.0, infinite,
+                      fmt::format("U dp/kappa = {:.3g} x {:.3g}/{:.3g}; beyond 2 a carried flow is taken upwind, which "
+                                  "spreads like a diffusivity of U dp/2 = {:.3g} m^2/s",
+                                  numbers.flow.speed, numbers.spacing, species.diffusivity,
+                                  0.5 * numbers.flow.speed * numbers.spacing),
+                      species.diffusivity > 0.0 ? spacing : "leave numerics.steady_tolerance out",
+                      "Patankar 1980, ch. 5: central differences to Pe = 2, upwind beyond"});
+  }
+}
+
+}  // namespace
+
+void judge_flow_limits(const scene::Scene& scene, const Numbers& numbers, std::vector<Limit>& limits) {
+  if (numbers.flow.speed > 0.0) limits.push_back(mach(numbers));
+  limits.push_back(support(scene));
+  if (const double layers = thinnest_wall(scene); std::isfinite(layers)) limits.push_back(wall_layers(scene, layers));
+  add_cell_peclet(scene, numbers, limits);
+}
+
+}  // namespace shmoo::coupling

@@ -1,0 +1,115 @@
+// shmoo verify SUITE: runs cases that are judged by laws, and says which hold.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "run/verbs/verbs.hpp"
+#include "run/verify/case.hpp"
+
+namespace shmoo::run {
+namespace {
+
+struct Wish {
+  std::string suite;
+  std::vector<std::string> cases;
+  bool list = false, json = false;
+};
+
+struct Verdict {
+  std::vector<verify::Finding> findings;
+  std::string failure;  // what was thrown, where something was
+  double cpu = 0;       // [s]
+  bool holds() const {
+    return failure.empty() && std::all_of(findings.begin(), findings.end(), [](const auto& f) { return f.holds(); });
+  }
+};
+
+std::vector<verify::Case> wanted(const Wish& wish) {
+  if (wish.suite != "stability")
+    throw base::InputError(fmt::format("there is no suite '{}'; the suites are: stability", wish.suite));
+  auto all = verify::stability_cases();
+  if (wish.cases.empty()) return all;
+  std::vector<verify::Case> some;
+  for (const auto& name : wish.cases) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+    if (found == all.end()) {
+      std::string names;
+      for (const auto& one : all) names += (names.empty() ? "" : ", ") + one.name;
+      throw base::InputError(fmt::format("'{}' has no case '{}'; its cases are: {}", wish.suite, name, names));
+    }
+    some.push_back(*found);
+  }
+  return some;
+}
+
+Verdict judge(const verify::Case& one) {
+  Verdict verdict;
+  const double start = double(std::clock());
+  try {
+    verdict.findings = one.run();
+  } catch (const std::exception& error) {
+    verdict.failure = error.what();
+  }
+  verdict.cpu = (double(std::clock()) - start) / CLOCKS_PER_SEC;
+  return verdict;
+}
+
+std::string allowed(const verify::Finding& finding) {
+  if (finding.lowest == finding.highest) return fmt::format("= {:g}", finding.highest);
+  if (!std::isfinite(finding.lowest)) return fmt::format("<= {:g}", finding.highest);
+  if (!std::isfinite(finding.highest)) return fmt::format(">= {:g}", finding.lowest);
+  return fmt::format("{:g} .. {:g}", finding.lowest, finding.highest);
+}
+
+void print(const verify::Case& one, const Verdict& verdict) {
+  fmt::print("{:<6} {}: {} ({:.1f} CPU s)\n", verdict.holds() ? "holds" : "BROKEN", one.name, one.what, verdict.cpu);
+  if (!verdict.failure.empty()) fmt::print("       stopped by: {}\n", verdict.failure);
+  for (const auto& f : verdict.findings)
+    fmt::print("  {}  {:<60} {:>12.4g}   {}\n", f.holds() ? "    " : "!!!!", f.law, f.value, allowed(f));
+  std::fflush(stdout);
+}
+
+void print_json(const verify::Case& one, const Verdict& verdict) {
+  nlohmann::json line = {{"case", one.name}, {"holds", verdict.holds()}, {"cpu_seconds", verdict.cpu}};
+  if (!verdict.failure.empty()) line["failure"] = verdict.failure;
+  for (const auto& f : verdict.findings)
+    line["laws"].push_back({{"law", f.law}, {"value", f.value}, {"allowed", allowed(f)}, {"holds", f.holds()}});
+  fmt::print("{}\n", line.dump());
+}
+
+int run_suite(const Wish& wish) {
+  const auto cases = wanted(wish);
+  std::size_t broken = 0, laws = 0;
+  for (const auto& one : cases) {
+    if (wish.list) {
+      fmt::print("{:<20} {}\n", one.name, one.what);
+      continue;
+    }
+    const auto verdict = judge(one);
+    wish.json ? print_json(one, verdict) : print(one, verdict);
+    broken += !verdict.holds();
+    laws += verdict.findings.size();
+  }
+  if (!wish.list && !wish.json) fmt::print("{} of {} cases hold, {} laws\n", cases.size() - broken, cases.size(), laws);
+  return broken == 0 ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+void declare_verify(CLI::App& app, Desk& desk) {
+  auto wish = std::make_shared<Wish>();
+  auto* verb = app.add_subcommand("verify", "Run cases that are judged by laws, on this machine");
+  verb->add_option("SUITE", wish->suite, "stability: hard cases, run to a long time")->required();
+  verb->add_option("--case", wish->cases, "only this case; may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);
+  verb->add_flag("--list", wish->list, "name the cases instead");
+  verb->add_flag("--json", wish->json, "one object a line");
+  verb->callback([wish, &desk] { desk.exit_code = run_suite(*wish); });
+}
+
+}  // namespace shmoo::run

@@ -57,6 +57,7 @@ class StageBuilder {
   }
 
   const Geometry<D>& geometry() const { return geometry_; }
+  const rdme::Network& network() const { return network_; }
   bool has_chemistry() const { return network_.species() > 0; }
 
   std::shared_ptr<const Stage<D>> stage(Frame<D> frame) const {

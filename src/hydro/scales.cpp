@@ -88,11 +88,17 @@ struct Candidate {
 
 template <int D>
 Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& filling, const Scales<D>& scales) {
-  if (scene.flow.reference_speed) return {*scene.flow.reference_speed, "flow.reference_speed"};
   Candidate best{0.0, "nothing moves"};
   const auto offer = [&](double speed, const char* why) {
     if (speed > best.speed) best = {speed, why};
   };
+  if (scales.thermal_energy > 0.0) {
+    offer(std::sqrt(D * scales.thermal_energy / scales.mass), "thermal velocity sqrt(D kT/m)");
+  }
+  if (scene.flow.reference_speed) {  // no noise survives a sound slower than the thermal velocity
+    offer(*scene.flow.reference_speed, "flow.reference_speed");
+    return best;
+  }
   for (const auto& inflow : scene.inflows) {
     if (inflow.velocity) offer(vector_of<D>(*inflow.velocity).norm(), "largest inflow velocity");
   }
@@ -108,9 +114,6 @@ Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& fillin
     offer(initial(filling.particles.position[i]).norm(), "largest initial velocity");
   }
   offer(force_speed<D>(scene, scales), "speed that the body force drives");
-  if (scales.thermal_energy > 0.0) {
-    offer(std::sqrt(D * scales.thermal_energy / scales.mass), "thermal velocity sqrt(D kT/m)");
-  }
   return best;
 }
 

@@ -53,7 +53,7 @@ std::vector<Finding> one_molecule() {
 diffusivity = "1 m^2/s"
 [[initial]]
 species = "X"
-count = 1
+count = "1 molecules"
 )toml",
                                       "1000 s"));
   std::vector<double> visits(voxels, 0.0);
@@ -78,7 +78,7 @@ std::vector<Finding> a_billion_molecules() {
 diffusivity = "1 m^2/s"
 [[initial]]
 species = "X"
-count = 1000000000
+count = "1e9 molecules"
 )toml",
                                       "2 s"),
                               {{"numerics.sampler", "\"split\""}, {"numerics.splitting_step", "\"0.5 s\""}});
@@ -117,7 +117,7 @@ equation = "A -> nothing"
 forward = "0.2 1/s"
 [[reaction]]
 equation = "B -> nothing"
-rate = "V * [B]^2 / (K^2 + [B]^2)"
+rate = "V * B^2 / (K^2 + B^2)"
 [[reaction]]
 equation = "C -> A"
 forward = "1 1/s"

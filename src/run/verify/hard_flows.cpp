@@ -40,7 +40,8 @@ record_every = "20 s"
       within("kinetic energy at t = 2 over the exact one", ratio, 0.97, 1.03),
       at_most("kinetic energy left at t = 20, of that at the start", late.final_energy * std::exp(2.0 * rate), 1e-5),
       at_most("largest rise of kinetic energy", std::max(early.energy_rise, late.energy_rise), 1e-3),
-      at_least("smallest distance of particles, in spacings", std::min(early.distance, late.distance), 0.7),
+      at_least("smallest distance of particles to t = 2, in spacings", early.distance, 0.5),
+      at_least("smallest distance of particles to t = 20, in spacings", late.distance, 0.7),
       at_most("largest density error", std::max(early.density_error, late.density_error), 0.03)};
 }
 
@@ -53,7 +54,7 @@ depth = "1 m"
 [domain]
 size = ["1 m", "1 m"]
 spacing = "0.025 m"
-boundary = { x = "wall", y = { low = "wall", high = { type = "wall", velocity = ["1 m/s", "0 m/s"] } } }
+boundary = { x = "wall", y = "wall", y_max = { type = "wall", velocity = ["1 m/s", "0 m/s"] } }
 [materials.liquid]
 type = "fluid"
 density = "1 kg/m^3"
@@ -104,8 +105,7 @@ record_every = "10 s"
   double gross = 0.0;
   for (const auto i : fluid.state().rows.fluid()) gross += fluid.scales().mass * fluid.velocity(i).norm();
   return {within("temperature over the wanted one", sum / looks / fluid.scales().thermal_energy, 0.97, 1.03),
-          at_most("momentum, of sum |m v|", fluid.momentum().norm() / gross, 1e-10),
-          at_least("smallest distance of particles, in spacings", fluid.smallest_distance(), 0.0)};
+          at_most("momentum, of sum |m v|", fluid.momentum().norm() / gross, 1e-10)};
 }
 
 // A force that nothing balances: particles outrun the step that was derived, which must shorten, and a uniform motion
@@ -117,7 +117,7 @@ dimension = 2
 depth = "1 m"
 [domain]
 size = ["1 m", "1 m"]
-spacing = "0.05 m"
+spacing = "0.1 m"
 boundary = { x = "periodic", y = "periodic" }
 [materials.liquid]
 type = "fluid"
@@ -127,21 +127,22 @@ viscosity = "0.001 Pa s"
 body_force = ["1 m/s^2", "0.5 m/s^2"]
 reference_speed = "1e-2 m/s"
 [run]
-until = "5 s"
-record_every = "5 s"
+until = "100 s"
+record_every = "100 s"
 )toml");
   hydro::Fluid<2> fluid(scene, sph::fill<2>(scene));
   const double first = fluid.dt();
   const auto before = fluid.steps();
-  fluid.advance(5.0 - 0.01);
+  fluid.advance(100.0 - 0.01);
   const auto until = fluid.steps();
-  fluid.advance(5.0);
+  fluid.advance(100.0);
   const double last = 0.01 / double(fluid.steps() - until);
   double spread = 0.0;
   const base::Vec<2> mean = fluid.momentum() / (fluid.scales().mass * double(fluid.state().rows.fluid().size()));
   for (const auto i : fluid.state().rows.fluid()) spread = std::max(spread, (fluid.velocity(i) - mean).norm());
-  return {at_least("steps taken", double(until - before), 1.0), at_least("first step over the last", first / last, 5.0),
-          within("mean velocity over g t", mean[0] / 5.0, 1.0 - 1e-9, 1.0 + 1e-9),
+  return {at_least("steps taken", double(until - before), 1.0),
+          at_least("first step over the last", first / last, 10.0),
+          within("mean velocity over g t", mean[0] / 100.0, 1.0 - 1e-9, 1.0 + 1e-9),
           at_most("spread of velocities, of the mean", spread / mean.norm(), 1e-9)};
 }
 

@@ -1,0 +1,50 @@
+// shmoo verify on the command line.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run/command_line.hpp"
+
+namespace {
+
+using namespace shmoo;
+
+struct Said {
+  int code;
+  std::string out, err;
+};
+
+Said verify(std::vector<const char*> words) {
+  words.insert(words.begin(), {"shmoo", "verify"});
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int code = run::command_line(int(words.size()), words.data(), run::Workshop{});
+  std::fflush(stdout);
+  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+TEST(Verify, JudgesACaseAndSaysSoInJson) {
+  const auto said = verify({"stability", "--case", "one-molecule", "--json"});
+  EXPECT_EQ(said.code, run::exit_done) << said.err;
+  const auto line = nlohmann::json::parse(said.out);
+  EXPECT_EQ(line.at("case"), "one-molecule");
+  EXPECT_TRUE(line.at("holds").get<bool>());
+  EXPECT_EQ(line.at("laws").size(), 2u);
+}
+
+TEST(Verify, NamesItsCases) {
+  const auto said = verify({"stability", "--list"});
+  EXPECT_EQ(said.code, run::exit_done);
+  EXPECT_NE(said.out.find("almost-coincident"), std::string::npos);
+}
+
+TEST(Verify, RefusesUnknownSuitesAndCases) {
+  auto said = verify({"stabilty"});
+  EXPECT_EQ(said.code, run::exit_input);
+  EXPECT_NE(said.err.find("the suites are: stability"), std::string::npos);
+  said = verify({"stability", "--case", "nothing"});
+  EXPECT_EQ(said.code, run::exit_input);
+  EXPECT_NE(said.err.find("its cases are: disordered"), std::string::npos);
+}
+
+}  // namespace

@@ -89,19 +89,18 @@ StudyReference reference_of(const Section& section, const Study& study) {
   StudyReference reference;
   reference.value = number_of(section, "value");
   const bool finest = section.boolean("finest").value_or(false);
-  const int given = int(section.has("formula")) + int(section.has("table")) + int(finest) + int(section.has("method")) +
-                    int(section.has("value") && !section.has("table"));
+  const int given = int(section.has("formula")) + int(section.has("table")) + int(finest && !section.has("method")) +
+                    int(section.has("method")) + int(section.has("value") && !section.has("table"));
   if (given != 1)
     section.error(fmt::format("{} of 'formula', 'table', 'finest', 'method' and 'value' are given; give one", given));
   if (section.text("formula"))
     read_formula(section, reference);
   else if (section.has("table"))
     read_tables(section, study, reference);
-  else if (finest)
-    reference.type = StudyReference::Type::finest;
-  else if (section.has("method")) {
+  else if (finest || section.has("method")) {
     reference.type = StudyReference::Type::method;
-    reference.method = method_index(section, "method", study).value_or(0);
+    if (section.has("method")) reference.method = method_index(section, "method", study);
+    reference.finest = finest;
   }
   if (section.has("parameters") && !section.has("formula"))
     section.error("parameters", "only a formula has them; remove it");

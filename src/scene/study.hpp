@@ -27,13 +27,14 @@ enum class StudyNorm {
 };
 
 struct StudyReference {
-  enum class Type { formula, table, finest, method, value } type = Type::value;
+  enum class Type { formula, table, method, value } type = Type::value;
   std::string formula;                  // of base::exact_solutions()
   std::vector<StudyNumber> parameters;  // in the formula's order
   std::vector<std::string> tables;      // one for all levels, or one per level; paths
   std::string column;                   // of a table; its first column is x [m], or t [s] of a scalar
-  std::size_t method = 0;
-  std::optional<StudyNumber> value;  // the value itself; of a table: what its column is multiplied by
+  std::optional<std::size_t> method;    // none: the one that is compared
+  bool finest = false;                  // at the last level, else at the same
+  std::optional<StudyNumber> value;     // the value itself; of a table: what its column is multiplied by
 };
 
 struct StudyQuantity {

@@ -118,7 +118,8 @@ Table quantity_table() {
 Table reference_table() {
   return {"study_reference",
           "[quantity.reference]",
-          "What the quantity should be: one of `formula`, `table`, `finest`, `method`, `value`.",
+          "What the quantity should be: one of `formula`, `table`, `finest`, `method`, `value`; `method` and `finest` "
+          "together are that method at the last level.",
           {{"formula", {text("the name of an exact solution")}, false, "", "see the list of exact solutions"},
            {"parameters",
             {named(number_or_path(), "the name of a parameter of the formula")},

@@ -46,10 +46,9 @@ class Judge {
 
   // The run that the others are compared with.
   bool is_reference(std::size_t m, std::size_t l) const {
-    using Type = scene::StudyReference::Type;
     const auto& reference = quantity_.reference;
-    return (reference.type == Type::finest && l + 1 == study_.levels.size()) ||
-           (reference.type == Type::method && m == reference.method);
+    return reference.type == scene::StudyReference::Type::method && m == reference.method.value_or(m) &&
+           (!reference.finest || l + 1 == study_.levels.size());
   }
 
   std::vector<std::size_t> runs(std::size_t m, std::size_t l) const {

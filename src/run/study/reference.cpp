@@ -83,10 +83,9 @@ std::vector<double> reference_values(const scene::Study& study, const scene::Stu
       return by_table(reference, task, sample);
     case Type::value:
       return std::vector<double>(sample.size(), resolved(*reference.value, task));
-    case Type::finest:
     case Type::method: {
-      const bool finest = reference.type == Type::finest;
-      const auto* other = finest ? others(task.method, study.levels.size() - 1) : others(reference.method, task.level);
+      const auto level = reference.finest ? study.levels.size() - 1 : task.level;
+      const auto* other = others(reference.method.value_or(task.method), level);
       return other ? at_places(*other, sample) : std::vector<double>{};
     }
   }

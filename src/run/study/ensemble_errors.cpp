@@ -102,13 +102,17 @@ void fill_statistics(const Repeats& repeats, const Counterpart& counterpart, Row
   const double noise = square(chance(row)) / n;  // of the mean over repeats, squared
   const double error = rms(difference(mean, repeats.reference), repeats.weight);
   row.systematic = std::sqrt(std::max(0.0, square(error) - noise));
+  // The mean square of pure noise over p places scatters by sqrt(2/p) of itself; four times that is seen.
+  const double seen = 4.0 * std::sqrt(2.0 / double(counting(repeats.weight)));
+  row.systematic_seen_from = std::sqrt(noise * seen);
   if (counterpart.mean.empty()) return;
   const double both = noise + square(counterpart.statistical);
   const double apart = square(rms(difference(mean, counterpart.mean), repeats.weight));
-  // The mean square of pure noise over p places scatters by sqrt(2/p) of itself; four times that is seen.
-  row.bias_seen_from = std::sqrt(both * 4.0 * std::sqrt(2.0 / double(counting(repeats.weight))));
+  row.bias_seen_from = std::sqrt(both * seen);
   row.bias = std::sqrt(std::max(0.0, apart - both));
-  if (!(row.bias > row.bias_seen_from)) row.systematic = counterpart.error;
+  if (row.bias > row.bias_seen_from) return;
+  row.systematic = counterpart.error;
+  row.systematic_seen_from = counterpart.error_seen_from;
 }
 
 }  // namespace shmoo::run::study

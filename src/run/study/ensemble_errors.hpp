@@ -27,8 +27,8 @@ double chance(const Row& row);
 // mean should be, at the same places, with their statistical error; empty for none.
 struct Counterpart {
   std::vector<double> mean{};
-  double statistical = 0;  // of `mean`, weighted
-  double error = unknown;  // of `mean` against the reference
+  double statistical = 0;                       // of `mean`, weighted
+  double error = unknown, error_seen_from = 0;  // of `mean` against the reference, without chance
 };
 void fill_statistics(const Repeats& repeats, const Counterpart& counterpart, Row& row);
 

@@ -22,8 +22,6 @@ class Judge {
 
   Verdict verdict() {
     Verdict verdict{.quantity = quantity_.name, .norm = norm_text()};
-    for (const auto& method : study_.methods)
-      verdict.mean_of.push_back(method.mean_of ? study_.methods[*method.mean_of].name : "");
     for (std::size_t m = 0; m < study_.methods.size(); ++m)
       for (std::size_t l = 0; l < study_.levels.size(); ++l) {
         if (is_reference(m, l) || !study_.methods[m].levels[l]) continue;
@@ -111,6 +109,7 @@ class Judge {
     fill_statistics(theirs, {}, row);
     counterpart.statistical = chance(row) / std::sqrt(double(theirs.samples.size()));
     counterpart.error = row.systematic;
+    counterpart.error_seen_from = row.systematic_seen_from;
     return counterpart;
   }
 
@@ -150,6 +149,7 @@ class Judge {
       return row;
     }
     fill_errors(quantity_, repeats, row);
+    if (row.random && study_.methods[m].mean_of) row.mean_of = study_.methods[*study_.methods[m].mean_of].name;
     if (row.random) fill_statistics(repeats, counterpart(m, l, repeats), row);
     return row;
   }

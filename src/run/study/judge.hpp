@@ -22,11 +22,13 @@ struct Row {
   double cpu_per_realisation = unknown, steps = unknown, events = unknown, memory = unknown;
   // Random methods, always in the root mean square.
   double predicted = unknown, measured = unknown;  // statistical error of one ensemble: sqrt(variance/N); from repeats
+  std::string mean_of{};                           // the method that its mean should agree with
   double bias = unknown,
-         bias_seen_from = unknown;  // of the mean against `mean_of`, and the least that chance would hide
-  double systematic = unknown;      // what no number of realisations removes
-  std::string failure{};            // why a run of it failed
-  bool pareto = false;              // no other row is both cheaper and more accurate
+         bias_seen_from = unknown;        // of the mean against `mean_of`, and the least that chance would hide
+  double systematic_seen_from = unknown;  // the least that chance would hide
+  double systematic = unknown;            // what no number of realisations removes
+  std::string failure{};                  // why a run of it failed
+  bool pareto = false;                    // no other row is both cheaper and more accurate
 };
 
 // The cheapest way to an accuracy; no method where there is none.
@@ -34,11 +36,11 @@ struct Need {
   double wanted = 0, cpu_seconds = unknown;
   std::string method, level{};
   std::size_t realisations = 1;
+  bool random = false;
 };
 
 struct Verdict {
   std::string quantity, norm{};
-  std::vector<std::string> mean_of{};  // [method]: what its bias is against; "" for none
   std::vector<Row> rows{};
   std::vector<Need> needs{};  // for each wanted accuracy and method
 };

@@ -10,7 +10,8 @@ namespace {
 double square(double x) { return x * x; }
 
 std::optional<Need> need_of(const Row& row, double wanted) {
-  Need need{.wanted = wanted, .cpu_seconds = row.cpu_seconds, .method = row.method, .level = row.level};
+  Need need{
+      .wanted = wanted, .cpu_seconds = row.cpu_seconds, .method = row.method, .level = row.level, .random = row.random};
   if (!std::isfinite(row.error)) return std::nullopt;
   const double chance = std::isfinite(row.predicted) ? row.predicted : row.measured;
   if (!row.random || !std::isfinite(chance)) {

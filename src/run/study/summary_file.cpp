@@ -21,7 +21,7 @@ constexpr Entry<Summary, std::string> texts[] = {{"title", &Summary::title},    
                                                  {"date", &Summary::date},         {"processor", &Summary::processor},
                                                  {"compiler", &Summary::compiler}, {"revisions", &Summary::revisions}};
 constexpr Entry<Row, std::string> row_texts[] = {
-    {"method", &Row::method}, {"level", &Row::level}, {"failure", &Row::failure}};
+    {"method", &Row::method}, {"level", &Row::level}, {"mean_of", &Row::mean_of}, {"failure", &Row::failure}};
 constexpr Entry<Row, bool> row_flags[] = {{"random", &Row::random}, {"pareto", &Row::pareto}};
 constexpr Entry<Row, std::size_t> row_counts[] = {{"repeats", &Row::repeats}, {"realisations", &Row::realisations}};
 constexpr Entry<Row, double> row_numbers[] = {{"resolution", &Row::resolution},
@@ -39,6 +39,7 @@ constexpr Entry<Row, double> row_numbers[] = {{"resolution", &Row::resolution},
                                               {"statistical_error_measured", &Row::measured},
                                               {"bias", &Row::bias},
                                               {"bias_seen_from", &Row::bias_seen_from},
+                                              {"systematic_error_seen_from", &Row::systematic_seen_from},
                                               {"systematic_error", &Row::systematic}};
 
 std::string row_text(const Row& row) {
@@ -62,15 +63,19 @@ Row row_in(const toml::table& table) {
 }
 
 std::string need_text(const Need& need) {
-  return fmt::format("\n[[quantity.need]]\nwanted = {}\nmethod = {}\nlevel = {}\nrealisations = {}\ncpu_seconds = {}\n",
-                     toml_text(need.wanted), toml_text(need.method), toml_text(need.level), need.realisations,
-                     toml_text(need.cpu_seconds));
+  return fmt::format(
+      "\n[[quantity.need]]\nwanted = {}\nmethod = {}\nlevel = {}\nrealisations = {}\ncpu_seconds = {}\nrandom = {}\n",
+      toml_text(need.wanted), toml_text(need.method), toml_text(need.level), need.realisations,
+      toml_text(need.cpu_seconds), need.random);
 }
 
 Need need_in(const toml::table& table) {
-  return {table["wanted"].value_or(0.0), table["cpu_seconds"].value_or(unknown),
-          table["method"].value_or(std::string()), table["level"].value_or(std::string()),
-          table["realisations"].value_or(std::size_t{1})};
+  return {table["wanted"].value_or(0.0),
+          table["cpu_seconds"].value_or(unknown),
+          table["method"].value_or(std::string()),
+          table["level"].value_or(std::string()),
+          table["realisations"].value_or(std::size_t{1}),
+          table["random"].value_or(false)};
 }
 
 template <class Take>
@@ -82,8 +87,6 @@ void each_table(const toml::table& holder, const char* name, Take take) {
 
 Verdict verdict_in(const toml::table& table) {
   Verdict verdict{.quantity = table["name"].value_or(std::string()), .norm = table["norm"].value_or(std::string())};
-  if (const auto* list = table.get_as<toml::array>("mean_of"))
-    for (const auto& name : *list) verdict.mean_of.push_back(name.value_or(std::string()));
   each_table(table, "row", [&](const auto& row) { verdict.rows.push_back(row_in(row)); });
   each_table(table, "need", [&](const auto& need) { verdict.needs.push_back(need_in(need)); });
   return verdict;
@@ -97,10 +100,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   text += fmt::format("cores = {}\nruns = {}\nfailed = {}\ncpu_seconds = {}\n", summary.cores, summary.runs,
                       summary.failed, toml_text(summary.cpu_seconds));
   for (const auto& verdict : summary.verdicts) {
-    text += fmt::format("\n[[quantity]]\nname = {}\nnorm = {}\nmean_of = [", toml_text(verdict.quantity),
-                        toml_text(verdict.norm));
-    for (const auto& name : verdict.mean_of) text += toml_text(name) + ", ";
-    text += "]\n";
+    text += fmt::format("\n[[quantity]]\nname = {}\nnorm = {}\n", toml_text(verdict.quantity), toml_text(verdict.norm));
     for (const auto& row : verdict.rows) text += row_text(row);
     for (const auto& need : verdict.needs) text += need_text(need);
   }

@@ -17,6 +17,11 @@ std::string count_text(double value) {
 }
 std::string seconds_text(double value) { return number(value, value < 10 ? "{:.2g}" : "{:.0f}"); }
 
+// "< LIMIT" where chance would hide it.
+std::string beyond_chance(double value, double limit) {
+  return value < limit ? "< " + error_text(limit) : error_text(value);
+}
+
 // Bytes of UTF-8 that begin a character.
 std::size_t width(const std::string& text) {
   return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -67,27 +72,21 @@ std::string statistics_table(const Verdict& verdict) {
   std::vector<Cells> rows;
   for (const auto& row : verdict.rows) {
     if (!row.random || !(std::isfinite(row.predicted) || std::isfinite(row.measured))) continue;
-    const bool seen = row.bias > row.bias_seen_from;
-    const auto bias = !std::isfinite(row.bias) ? ""
-                      : seen                   ? error_text(row.bias)
-                                               : "< " + error_text(row.bias_seen_from);
     rows.push_back({row.method, row.level, fmt::format("{} x {}", row.repeats, row.realisations),
                     error_text(row.predicted), error_text(row.measured), number(row.measured / row.predicted, "{:.3f}"),
-                    bias, error_text(row.systematic), seconds_text(row.cpu_per_realisation)});
+                    beyond_chance(row.bias, row.bias_seen_from), row.mean_of,
+                    beyond_chance(row.systematic, row.systematic_seen_from), seconds_text(row.cpu_per_realisation)});
   }
   return markdown({"method", "level", "repeats x realisations", "chance, predicted", "chance, measured", "ratio",
-                   "bias of the mean", "left without chance", "CPU s each"},
+                   "bias of the mean", "against", "left without chance", "CPU s each"},
                   rows);
 }
 
 std::string needs_table(const Verdict& verdict) {
   std::vector<Cells> rows;
   for (const auto& need : verdict.needs) {
-    const auto row = std::find_if(verdict.rows.begin(), verdict.rows.end(),
-                                  [&](const Row& one) { return one.method == need.method && one.level == need.level; });
-    const bool random = row != verdict.rows.end() && row->random;
-    rows.push_back({error_text(need.wanted), need.method, need.level, random ? std::to_string(need.realisations) : "",
-                    seconds_text(need.cpu_seconds)});
+    rows.push_back({error_text(need.wanted), need.method, need.level,
+                    need.random ? std::to_string(need.realisations) : "", seconds_text(need.cpu_seconds)});
   }
   return markdown({"error wanted", "method", "level", "realisations needed", "CPU s"}, rows);
 }

@@ -12,7 +12,7 @@ inline void start_from(const Laboratory& of, std::size_t time, double spacing, s
   for (std::size_t s = 0; s < scene.species.size(); ++s) {
     const auto& amount = of.shared.at(scene.species[s].name, time);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (amount[i] == 0.0) continue;
+      if (amount[i] <= 0.0) continue;  // the solver may leave a little less than nothing
       scene::BoxShape cell{{0, 0, 0}, {0, 0, 0}};
       for (std::size_t a = 0; a < std::size_t(scene.dimension); ++a) {
         cell.lower[a] = places[i][a] - 0.5 * spacing;

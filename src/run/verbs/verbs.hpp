@@ -25,6 +25,7 @@ void declare_export(CLI::App& app, Desk& desk);
 void declare_schema(CLI::App& app, Desk& desk);
 void declare_study(CLI::App& app, Desk& desk);
 void declare_verify(CLI::App& app, Desk& desk);
+void declare_bench(CLI::App& app, Desk& desk);
 
 // A whole number in [lowest, highest], or a base::InputError that names the option.
 std::uint64_t whole_number(const std::string& option, const std::string& text, std::uint64_t lowest,

@@ -1,0 +1,30 @@
+#pragma once
+// A workload of the bench: work of a known kind that a method does for a while, counted per CPU second, with a check
+// that what was computed is right.
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace shmoo::run::bench {
+
+struct Measurement {
+  double rate = 0;             // [unit]
+  double cpu_seconds = 0;      // spent on what is counted
+  double bytes_per_voxel = 0;  // that the method holds beyond the voxels themselves, or of a flow per particle
+  std::string check;           // what was looked at and its value
+  bool right = true;
+};
+
+struct Workload {
+  std::string name, method;
+  std::string unit;                                    // of the rate, per CPU second
+  std::function<Measurement(double seconds)> measure;  // for about this long [CPU s]
+};
+
+std::vector<Workload> chemistry_workloads();
+std::vector<Workload> flow_workloads();
+
+double cpu_seconds();      // [s] of this process
+double allocated_bytes();  // on the heap, now
+
+}  // namespace shmoo::run::bench

@@ -16,23 +16,35 @@ constexpr std::int64_t few = 512;        // molecules of a voxel that are moved 
 constexpr double least_chance = 0x1p-9;  // below it 32 bits are too coarse for a yes or no
 constexpr std::size_t batch = 32;        // words
 
-// Words of a sequence, kept from the start on.
-class WordList {
+// Words of a sequence, a few at a time.
+class WordStream {
  public:
-  explicit WordList(base::RandomSequence& random) : random_(random) {}
-  const std::uint32_t* first(std::size_t words) {
-    if (words > ready_) {
-      const std::size_t more = (words - ready_ + batch - 1) / batch * batch;
-      random_.fill(words_ + ready_, more / 4);
-      ready_ += more;
-    }
-    return words_;
+  explicit WordStream(base::RandomSequence& random) : random_(random) {}
+  std::uint32_t next() {
+    if (at_ == batch) refill();
+    return words_[at_++];
+  }
+  // How many of `count` words lie below each threshold, one threshold after the other. Call before next().
+  void keep(std::size_t count) {
+    kept_ = count;
+    const std::size_t words = (count + batch - 1) / batch * batch;
+    random_.fill(kept_words_, words / 4);
+  }
+  std::size_t below(std::uint32_t threshold) const {
+    std::size_t number = 0;
+    for (std::size_t k = 0; k < kept_; ++k) number += kept_words_[k] < threshold ? 1U : 0U;
+    return number;
   }
 
  private:
+  void refill() {
+    random_.fill(words_, batch / 4);
+    at_ = 0;
+  }
   base::RandomSequence& random_;
-  std::size_t ready_ = 0;
-  alignas(64) std::uint32_t words_[2 * few + 2 * batch];
+  std::size_t at_ = batch, kept_ = 0;
+  alignas(64) std::uint32_t words_[batch];
+  alignas(64) std::uint32_t kept_words_[few];
 };
 
 }  // namespace
@@ -40,20 +52,15 @@ class WordList {
 void UniformisedDiffusion::Chances::set(double to) {
   if (to == mean) return;
   mean = to;
-  resident.clear();
-  entrant.clear();
-  std::vector<double> at_least{1.0};  // P(M >= r)
-  while (at_least.back() > std::numeric_limits<double>::min()) {
-    at_least.push_back(boost::math::gamma_p(static_cast<double>(at_least.size()), mean));
+  resident = {1.0};  // P(M >= r)
+  while (resident.back() > std::numeric_limits<double>::min()) {
+    resident.push_back(boost::math::gamma_p(static_cast<double>(resident.size()), mean));
   }
-  // E[max(0, M - r)] = sum over k > r of P(M >= k)
-  std::vector<double> beyond(at_least.size(), 0.0);
-  for (std::size_t r = at_least.size() - 1; r-- > 0;) beyond[r] = beyond[r + 1] + at_least[r + 1];
-  for (std::size_t r = 1; r < at_least.size(); ++r) {
-    resident.push_back(at_least[r] / at_least[r - 1]);
-    entrant.push_back(beyond[r - 1] > 0 ? beyond[r] / beyond[r - 1] : 0.0);
-  }
-  entrant.front() = beyond[1] / mean;  // beyond[0] is the mean itself, but for round-off
+  // E[max(0, M - r)]/E[M], and the former is the sum over k > r of P(M >= k).
+  entrant.assign(resident.size(), 0.0);
+  for (std::size_t r = resident.size() - 1; r-- > 0;) entrant[r] = entrant[r + 1] + resident[r + 1];
+  for (std::size_t r = 1; r < entrant.size(); ++r) entrant[r] /= mean;
+  entrant[0] = 1.0;  // but for round-off
 }
 
 void UniformisedDiffusion::advance(const JumpTables& tables, double dt, const Address& address, State& state) {
@@ -105,56 +112,72 @@ bool UniformisedDiffusion::take_entries(const JumpTables& tables, double dt, Wal
   return sum > 0;
 }
 
-void UniformisedDiffusion::rounds(Walk& walk, base::Stream stream, const std::vector<double>& chances) {
+void UniformisedDiffusion::rounds(Walk& walk, base::Stream stream, const std::vector<double>& at_least) {
   std::uint32_t number = 0;
   for (;;) {
-    const double chance = number < chances.size() ? chances[number] : 0.0;
+    further_.clear();  // P(K >= number + j)/P(K >= number), j = 1, 2, ...
+    thresholds_.clear();
+    for (std::size_t r = number + std::size_t{1}; r < at_least.size(); ++r) {
+      further_.push_back(at_least[r] / at_least[number]);
+      thresholds_.push_back(static_cast<std::uint32_t>(further_.back() * 0x1p32 * (1 - 0x1p-33)));
+    }
+    further_.push_back(0.0);
+    thresholds_.push_back(0);
     if (std::uint64_t{++number} * walk.stride + walk.species > std::numeric_limits<std::uint32_t>::max()) {
       throw base::RunError(
           "a molecule makes more moves in one splitting step than random numbers are addressed for; take a "
           "shorter step");
     }
-    round(walk, stream, number, chance);
+    round(walk, stream, number);
     std::swap(active_, next_);
     walk.exits += std::exchange(active_[walk.voxels], 0);
-    if (std::ranges::all_of(active_, [](std::int64_t n) { return n == 0; })) return;
+    if (std::ranges::all_of(active_, [](std::int64_t n) { return n == 0; })) break;
   }
+  walk.exits += std::exchange(resting_[walk.voxels], 0);
 }
 
-void UniformisedDiffusion::round(Walk& walk, base::Stream stream, std::uint32_t number, double chance) {
+void UniformisedDiffusion::round(Walk& walk, base::Stream stream, std::uint32_t number) {
   for (std::uint32_t i = 0; i < walk.voxels; ++i) {
     if (active_[i] == 0) continue;
     base::RandomSequence random(walk.address->key, stream, walk.address->step, i, number * walk.stride + walk.species);
     if (active_[i] <= few) {
-      move_few(walk, i, random, chance);
+      walk_out(walk, i, random);
     } else {
-      move_many(walk, i, random, chance);
+      move_many(walk, i, random, further_.front());
     }
     active_[i] = 0;
   }
 }
 
-void UniformisedDiffusion::move_few(Walk& walk, std::uint32_t voxel, base::RandomSequence& random, double chance) {
+// A few molecules make all their further moves at once. How many make a j-th one is all that is asked of their numbers
+// of moves: molecules of one voxel are alike, so the first so many of them go on.
+void UniformisedDiffusion::walk_out(Walk& walk, std::uint32_t voxel, base::RandomSequence& random) {
   const auto here = static_cast<std::size_t>(active_[voxel]);
-  std::size_t going = here, used = 0;
-  WordList list(random);
-  if (chance < least_chance) {
-    going = static_cast<std::size_t>(base::binomial(random, active_[voxel], chance));
-  } else if (chance < 1) {
-    const auto limit = static_cast<std::uint32_t>(chance * 0x1p32);
-    const std::uint32_t* const words = list.first(here);
-    going = 0;
-    for (std::size_t k = 0; k < here; ++k) going += words[k] < limit ? 1U : 0U;
-    used = here;
-  }
-  resting_[voxel] += static_cast<std::int64_t>(here - going);
-  const std::uint32_t* const words = list.first(used + going) + used;
+  const bool rare = further_.front() < least_chance;
+  WordStream words(random);
+  if (!rare) words.keep(here);
+  std::uint32_t place[few];
+  std::size_t going = here;
   std::int64_t jumps = 0;
-  for (std::size_t k = 0; k < going; ++k) {
-    const std::uint32_t target = walk.table->target(voxel, words[k]);
-    ++next_[target];
-    jumps += target != voxel ? 1 : 0;
-    jumps -= target == walk.voxels ? 1 : 0;
+  for (std::size_t j = 0; going > 0; ++j) {
+    const std::size_t before = going;
+    if (rare) {
+      const double chance = j == 0 ? further_[0] : further_[j] / further_[j - 1];
+      going = static_cast<std::size_t>(base::binomial(random, static_cast<std::int64_t>(going), chance));
+    } else {
+      going = words.below(thresholds_[j]);
+    }
+    if (j == 0) {
+      resting_[voxel] += static_cast<std::int64_t>(here - going);
+      std::fill(place, place + going, voxel);
+    } else {
+      for (std::size_t k = going; k < before; ++k) ++resting_[place[k]];
+    }
+    for (std::size_t k = 0; k < going; ++k) {
+      const std::uint32_t from = place[k], to = walk.table->target(from, words.next());
+      place[k] = to;
+      jumps += to != from && to != walk.voxels ? 1 : 0;
+    }
   }
   walk.jumps += jumps;
 }

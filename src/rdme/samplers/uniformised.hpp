@@ -1,9 +1,10 @@
 #pragma once
 // Diffusion over a step of any length at frozen geometry, exact and without events (uniformisation: Jensen 1953, Skand.
 // Aktuarietidskr. 36, 87). Molecules are independent walkers with jump generator Q. With L the largest total rate of
-// any row, each makes K ~ Poisson(L dt) moves of the chain 1 + Q/L. In counts: in round r a molecule goes on with the
-// probability P(K >= r)/P(K >= r - 1) and moves by its voxel's row; rounds end when none goes on. Exits lead to a row
-// outside.
+// any row, each makes K ~ Poisson(L dt) moves of the chain 1 + Q/L. Where a voxel holds many molecules, these move in
+// rounds, in counts: in round r a molecule goes on with the probability P(K >= r)/P(K >= r - 1) and moves by its
+// voxel's row. Where it holds few, each makes all moves that are left to it at once. Rounds end when all have come to
+// rest. Exits lead to a row outside.
 //
 // Molecules that enter do so in Poisson numbers at uniform times u and walk for dt - u. Averaged over u their moves
 // obey P(K >= r) = E[max(0, M - r)]/(L dt), M ~ Poisson(L dt), so they make rounds of their own with these
@@ -33,7 +34,7 @@ class UniformisedDiffusion {
   void advance(const JumpTables& tables, double dt, const Address& address, State& state);
 
  private:
-  // Probability of one more move in rounds 1, 2, ... at mean number of moves `mean`.
+  // P(K >= r), r = 0, 1, ..., at mean number of moves `mean`.
   struct Chances {
     double mean = -1;
     std::vector<double> resident, entrant;
@@ -50,13 +51,15 @@ class UniformisedDiffusion {
 
   bool take_counts(const State& state, std::uint32_t species, std::size_t voxels);
   bool take_entries(const JumpTables& tables, double dt, Walk& walk, State& state);
-  void rounds(Walk& walk, base::Stream stream, const std::vector<double>& chances);
-  void round(Walk& walk, base::Stream stream, std::uint32_t number, double chance);
-  void move_few(Walk& walk, std::uint32_t voxel, base::RandomSequence& random, double chance);
+  void rounds(Walk& walk, base::Stream stream, const std::vector<double>& at_least);
+  void round(Walk& walk, base::Stream stream, std::uint32_t number);
+  void walk_out(Walk& walk, std::uint32_t voxel, base::RandomSequence& random);
   void move_many(Walk& walk, std::uint32_t voxel, base::RandomSequence& random, double chance);
 
   std::vector<Chances> chances_;                       // by species
   std::vector<std::int64_t> resting_, active_, next_;  // by voxel, and outside
+  std::vector<double> further_;                        // of the round: chance of a first, second, ... further move
+  std::vector<std::uint32_t> thresholds_;              // the same, of 2^32
 };
 
 }  // namespace shmoo::rdme

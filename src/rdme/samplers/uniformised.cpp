@@ -3,9 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <boost/math/special_functions/gamma.hpp>
 #include <limits>
+#include <span>
 #include <utility>
+
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 #include "base/error.hpp"
 
@@ -14,40 +20,51 @@ namespace {
 
 constexpr std::int64_t few = 512;        // molecules of a voxel that are moved one by one
 constexpr double least_chance = 0x1p-9;  // below it 32 bits are too coarse for a yes or no
-constexpr std::size_t batch = 32;        // words
+constexpr std::size_t batch = 256;       // words
+constexpr std::uint32_t together = 256;  // voxels that share a sequence of random numbers
 
-// Words of a sequence, a few at a time.
-class WordStream {
+// How many words lie below the threshold.
+std::size_t below(std::span<const std::uint32_t> words, std::uint32_t threshold) {
+  std::size_t number = 0;
+#ifdef __AVX512F__
+  for (std::size_t k = 0; k < words.size(); k += 16) {
+    const std::size_t rest = words.size() - k;
+    const auto lanes = static_cast<__mmask16>(rest < 16 ? (1U << rest) - 1U : 0xFFFFU);
+    const __m512i some = _mm512_maskz_loadu_epi32(lanes, words.data() + k);
+    const __m512i limit = _mm512_set1_epi32(static_cast<int>(threshold));
+    number += static_cast<std::size_t>(std::popcount(unsigned{_mm512_mask_cmplt_epu32_mask(lanes, some, limit)}));
+  }
+#else
+  for (const std::uint32_t word : words) number += word < threshold ? 1U : 0U;
+#endif
+  return number;
+}
+
+}  // namespace
+
+// Words of a sequence in the order in which they are taken.
+class UniformisedDiffusion::WordStream {
  public:
-  explicit WordStream(base::RandomSequence& random) : random_(random) {}
-  std::uint32_t next() {
-    if (at_ == batch) refill();
-    return words_[at_++];
-  }
-  // How many of `count` words lie below each threshold, one threshold after the other. Call before next().
-  void keep(std::size_t count) {
-    kept_ = count;
-    const std::size_t words = (count + batch - 1) / batch * batch;
-    random_.fill(kept_words_, words / 4);
-  }
-  std::size_t below(std::uint32_t threshold) const {
-    std::size_t number = 0;
-    for (std::size_t k = 0; k < kept_; ++k) number += kept_words_[k] < threshold ? 1U : 0U;
-    return number;
+  explicit WordStream(const base::RandomSequence& random) : random_(random) {}
+  base::RandomSequence& sequence() { return random_; }
+  std::span<const std::uint32_t> take(std::size_t count) {  // at most `few`; valid until the next take
+    if (ready_ - at_ < count) refill(count);
+    at_ += count;
+    return {words_ + at_ - count, count};
   }
 
  private:
-  void refill() {
-    random_.fill(words_, batch / 4);
-    at_ = 0;
+  void refill(std::size_t count) {
+    std::copy(words_ + at_, words_ + ready_, words_);
+    ready_ -= std::exchange(at_, 0);
+    const std::size_t more = std::max(batch, (count + batch - 1) / batch * batch);
+    random_.fill(words_ + ready_, more / 4);
+    ready_ += more;
   }
-  base::RandomSequence& random_;
-  std::size_t at_ = batch, kept_ = 0;
-  alignas(64) std::uint32_t words_[batch];
-  alignas(64) std::uint32_t kept_words_[few];
+  base::RandomSequence random_;
+  std::size_t at_ = 0, ready_ = 0;
+  alignas(64) std::uint32_t words_[2 * few + 2 * batch];
 };
-
-}  // namespace
 
 void UniformisedDiffusion::Chances::set(double to) {
   if (to == mean) return;
@@ -137,47 +154,53 @@ void UniformisedDiffusion::rounds(Walk& walk, base::Stream stream, const std::ve
 }
 
 void UniformisedDiffusion::round(Walk& walk, base::Stream stream, std::uint32_t number) {
-  for (std::uint32_t i = 0; i < walk.voxels; ++i) {
-    if (active_[i] == 0) continue;
-    base::RandomSequence random(walk.address->key, stream, walk.address->step, i, number * walk.stride + walk.species);
-    if (active_[i] <= few) {
-      walk_out(walk, i, random);
-    } else {
-      move_many(walk, i, random, further_.front());
+  for (std::uint32_t begin = 0; begin < walk.voxels; begin += together) {
+    WordStream words({walk.address->key, stream, walk.address->step, begin, number * walk.stride + walk.species});
+    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(walk.voxels, std::size_t{begin} + together));
+    for (std::uint32_t i = begin; i < end; ++i) {
+      if (active_[i] == 0) continue;
+      if (active_[i] <= few) {
+        walk_out(walk, i, words);
+      } else {
+        move_many(walk, i, words.sequence(), further_.front());
+      }
+      active_[i] = 0;
     }
-    active_[i] = 0;
   }
+}
+
+// How many of `here` molecules make at least one, two, ... further moves, down to none.
+void UniformisedDiffusion::count_moves(std::size_t here, WordStream& words) {
+  going_.clear();
+  if (further_.front() < least_chance) {  // too rare for thresholds of 32 bits
+    auto left = static_cast<std::int64_t>(here);
+    for (std::size_t j = 0; left > 0; ++j) {
+      left = base::binomial(words.sequence(), left, j == 0 ? further_[0] : further_[j] / further_[j - 1]);
+      going_.push_back(static_cast<std::size_t>(left));
+    }
+    return;
+  }
+  const auto chosen = words.take(here);
+  for (std::size_t j = 0; j == 0 || going_.back() > 0; ++j) going_.push_back(below(chosen, thresholds_[j]));
 }
 
 // A few molecules make all their further moves at once. How many make a j-th one is all that is asked of their numbers
 // of moves: molecules of one voxel are alike, so the first so many of them go on.
-void UniformisedDiffusion::walk_out(Walk& walk, std::uint32_t voxel, base::RandomSequence& random) {
+void UniformisedDiffusion::walk_out(Walk& walk, std::uint32_t voxel, WordStream& words) {
   const auto here = static_cast<std::size_t>(active_[voxel]);
-  const bool rare = further_.front() < least_chance;
-  WordStream words(random);
-  if (!rare) words.keep(here);
+  count_moves(here, words);
+  resting_[voxel] += static_cast<std::int64_t>(here - going_[0]);
   std::uint32_t place[few];
-  std::size_t going = here;
+  std::fill(place, place + going_[0], voxel);
   std::int64_t jumps = 0;
-  for (std::size_t j = 0; going > 0; ++j) {
-    const std::size_t before = going;
-    if (rare) {
-      const double chance = j == 0 ? further_[0] : further_[j] / further_[j - 1];
-      going = static_cast<std::size_t>(base::binomial(random, static_cast<std::int64_t>(going), chance));
-    } else {
-      going = words.below(thresholds_[j]);
-    }
-    if (j == 0) {
-      resting_[voxel] += static_cast<std::int64_t>(here - going);
-      std::fill(place, place + going, voxel);
-    } else {
-      for (std::size_t k = going; k < before; ++k) ++resting_[place[k]];
-    }
-    for (std::size_t k = 0; k < going; ++k) {
-      const std::uint32_t from = place[k], to = walk.table->target(from, words.next());
+  for (std::size_t j = 0; going_[j] > 0; ++j) {
+    const auto chosen = words.take(going_[j]);
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const std::uint32_t from = place[k], to = walk.table->target(from, chosen[k]);
       place[k] = to;
       jumps += to != from && to != walk.voxels ? 1 : 0;
     }
+    for (std::size_t k = going_[j + 1]; k < going_[j]; ++k) ++resting_[place[k]];
   }
   walk.jumps += jumps;
 }

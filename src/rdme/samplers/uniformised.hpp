@@ -10,9 +10,9 @@
 // obey P(K >= r) = E[max(0, M - r)]/(L dt), M ~ Poisson(L dt), so they make rounds of their own with these
 // probabilities.
 //
-// Random numbers are addressed by (stream, step, voxel, round and species). The cost of a round does not grow with
-// counts where these are large. The work per molecule is L dt moves, so one voxel whose rates tower above all others
-// slows all.
+// Random numbers are addressed by (stream, step, group of voxels, round and species). The cost of a round does not grow
+// with counts where these are large. The work per molecule is L dt moves, so one voxel whose rates tower above all
+// others slows all.
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +34,7 @@ class UniformisedDiffusion {
   void advance(const JumpTables& tables, double dt, const Address& address, State& state);
 
  private:
+  class WordStream;
   // P(K >= r), r = 0, 1, ..., at mean number of moves `mean`.
   struct Chances {
     double mean = -1;
@@ -53,13 +54,15 @@ class UniformisedDiffusion {
   bool take_entries(const JumpTables& tables, double dt, Walk& walk, State& state);
   void rounds(Walk& walk, base::Stream stream, const std::vector<double>& at_least);
   void round(Walk& walk, base::Stream stream, std::uint32_t number);
-  void walk_out(Walk& walk, std::uint32_t voxel, base::RandomSequence& random);
+  void count_moves(std::size_t here, WordStream& words);
+  void walk_out(Walk& walk, std::uint32_t voxel, WordStream& words);
   void move_many(Walk& walk, std::uint32_t voxel, base::RandomSequence& random, double chance);
 
   std::vector<Chances> chances_;                       // by species
   std::vector<std::int64_t> resting_, active_, next_;  // by voxel, and outside
   std::vector<double> further_;                        // of the round: chance of a first, second, ... further move
-  std::vector<std::uint32_t> thresholds_;              // the same, of 2^32
+  std::vector<std::size_t> going_;         // of the voxel: molecules that make a first, second, ... further move
+  std::vector<std::uint32_t> thresholds_;  // the same, of 2^32
 };
 
 }  // namespace shmoo::rdme

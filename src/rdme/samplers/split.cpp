@@ -1,8 +1,15 @@
 #include "rdme/samplers/split.hpp"
 
+#include <algorithm>
+
 #include "rdme/samplers/events.hpp"
 
 namespace shmoo::rdme {
+namespace {
+
+constexpr std::uint32_t together = 256;  // voxels that share a sequence of random numbers
+
+}  // namespace
 
 Split::Split(const Network& network)
     : network_(network),
@@ -40,12 +47,14 @@ void Split::advance(double t, double dt, Process process, const base::RandomKey&
 void Split::react(double t, double dt, const Address& address, std::uint32_t half) {
   if (!network_.any_sampled()) return;
   propensities_.set_time(t + 0.5 * dt);
-  for (std::uint32_t i = 0; i < voxels_->size(); ++i) {
-    double sum = 0;
-    for (int r : network_.sampled_in(voxels_->material[i])) sum += value_[r] = propensities_(r, i);
-    if (sum <= 0) continue;
-    base::RandomSequence random(address.key, base::Stream::voxel_reactions, address.step, i, half);
-    react(i, dt, random, sum);
+  const auto size = static_cast<std::uint32_t>(voxels_->size());
+  for (std::uint32_t begin = 0; begin < size; begin += together) {
+    base::RandomSequence random(address.key, base::Stream::voxel_reactions, address.step, begin, half);
+    for (std::uint32_t i = begin; i < std::min(size, begin + together); ++i) {
+      double sum = 0;
+      for (int r : network_.sampled_in(voxels_->material[i])) sum += value_[r] = propensities_(r, i);
+      if (sum > 0) react(i, dt, random, sum);
+    }
   }
 }
 

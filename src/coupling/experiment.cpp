@@ -112,8 +112,10 @@ class ExperimentOf final : public Experiment {
 
   void derive(const Timeline<D>& timeline) {
     if (scene_->effects.flow)
-      derived_.push_back({"flow steps", double(timeline.flow_steps()), "1", "time steps until the end, or until it was steady"});
-    if (has_chemistry_) derived_.push_back({"intervals", double(intervals_.size()), "1", "of chemistry at frozen geometry"});
+      derived_.push_back(
+          {"flow steps", double(timeline.flow_steps()), "1", "time steps until the end, or until it was steady"});
+    if (has_chemistry_)
+      derived_.push_back({"intervals", double(intervals_.size()), "1", "of chemistry at frozen geometry"});
     if (timeline.steady_since() >= 0.0) {
       derived_.push_back(
           {"flow steady since", timeline.steady_since(), "s", "from then on it is carried, not computed"});

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <mutex>
 #include <optional>
 #include <thread>
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "run/interrupt.hpp"
 #include "run/result_write.hpp"
@@ -21,14 +21,8 @@ namespace shmoo::run {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using base::cpu_seconds;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-// CPU time of all threads of this process [s].
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 class Ensemble {
  public:

@@ -219,4 +219,26 @@ TEST(Refusals, AreClear) {
   EXPECT_THROW(make_fluid<2>(scene), base::InputError);  // unknown name
 }
 
+TEST(Removing, AnEffectLeavesNothingOfIt) {
+  auto scene = bare_scene();
+  scene.effects.viscosity = scene.effects.density_diffusion = scene.effects.transport_velocity = true;
+  scene.effects.bounce_back = true;
+  scene.flow.body_force = scene::Point{1.0, 0.0, 0.0};
+  auto filling = sph::fill<2>(scene);
+  std::vector<Derived> derived;
+  const auto scales = derive_scales<2>(scene, filling, derived);
+  for (const std::string name : {"viscosity", "density diffusion", "transport velocity", "bounce back", "body force"}) {
+    auto effects = Effects<2>::choose(scene, scales, {});
+    EXPECT_TRUE(effects.remove(name));
+    EXPECT_FALSE(effects.remove(name)) << "it is gone";
+    const auto left = effects.names();
+    EXPECT_EQ(std::count(left.begin(), left.end(), name), 0);
+  }
+  auto effects = Effects<2>::choose(scene, scales, {});
+  EXPECT_FALSE(effects.remove("symmetric pressure")) << "some form of pressure always acts";
+  EXPECT_TRUE(effects.remove("transport velocity"));
+  const Fluid<2> without(scene, std::move(filling), std::move(effects));
+  EXPECT_FALSE(columns(without).contains("shift_velocity"));
+}
+
 }  // namespace shmoo::hydro::testing

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "run/command_line.hpp"
+#include "run/explain/forecast.hpp"
 
 namespace shmoo::run {
 namespace {
@@ -25,6 +26,7 @@ std::string explain(const std::string& model, std::vector<std::string> more = {}
 
 nlohmann::json told(const std::string& model, std::vector<std::string> more = {}) {
   more.emplace_back("--json");
+  more.emplace_back("--unmeasured");
   return nlohmann::json::parse(explain(model, more));
 }
 
@@ -70,10 +72,77 @@ TEST(Explain, TellsAWorthlessSceneInsteadOfRefusingIt) {
 }
 
 TEST(Explain, ReadsAsText) {
-  const auto text = explain("validation/reversible-binding/model.toml");
-  for (const char* part :
-       {"decisions\n", "numbers\n", "limits\n", "species.A.method", "voxels too small for A + B <-> C"})
+  const auto text = explain("validation/reversible-binding/model.toml", {"--threads", "1"});
+  for (const char* part : {"decisions\n", "numbers\n", "limits\n", "forecast", "CPU time", "species.A.method",
+                           "voxels too small for A + B <-> C"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+// What is measured on a flow of 400 particles.
+nlohmann::json measured(std::vector<std::string> more = {}) {
+  more.insert(more.end(), {"--json", "--threads", "1", "--set", "domain.spacing=0.05 m"});
+  return nlohmann::json::parse(explain("validation/taylor-green/model.toml", more));
+}
+
+TEST(ExplainCosts, NamesThePresentEffectsWithTheirColumnsAndLimits) {
+  const auto report = measured();
+  const auto& effects = report.at("flow").at("effects");
+  EXPECT_EQ(effects.size(), 3u);
+  const auto transport = entry(effects, "name", "transport velocity");
+  EXPECT_EQ(transport.at("columns"), nlohmann::json{"shift_velocity"});
+  EXPECT_EQ(transport.at("bytes"), 400 * 2 * sizeof(double));
+  const auto viscosity = entry(effects, "name", "viscosity");
+  EXPECT_GT(viscosity.at("step_limit").get<double>(), 0.0);
+  EXPECT_FALSE(viscosity.at("rules").get<bool>()) << "sound does";
+  double shares = 0.0;
+  for (const auto& one : effects) shares += one.at("share").get<double>();
+  EXPECT_LT(shares, 1.0);
+}
+
+TEST(ExplainCosts, AnAbsentEffectHasNoCost) {
+  const auto report = measured({"--set", "effects.transport_velocity=false"});
+  EXPECT_TRUE(entry(report.at("flow").at("effects"), "name", "transport velocity").is_null());
+  EXPECT_LT(report.at("flow").at("column_bytes"), measured().at("flow").at("column_bytes"));
+}
+
+TEST(ExplainCosts, SaysWhichEffectRulesTheStep) {
+  const auto report = measured({"--set", "materials.liquid.viscosity=1 Pa s"});
+  const auto viscosity = entry(report.at("flow").at("effects"), "name", "viscosity");
+  EXPECT_TRUE(viscosity.at("rules").get<bool>());
+  EXPECT_GT(viscosity.at("step_without"), report.at("flow").at("step"));
+}
+
+TEST(ExplainForecast, CountsTheStepsOfTheFlow) {  // 0.0125 s an interval, 8 steps each
+  EXPECT_NEAR(measured().at("forecast").at("flow_steps").get<double>(), 5.0 / 0.0125 * 8, 1.0);
+}
+
+// A rehearsal whose pace is known.
+Rehearsal known(double end, double pace, double slope) {
+  Rehearsal rehearsal;
+  for (double f = 0.01; f <= end + 1e-9; f += 0.01)
+    rehearsal.realised.push_back({f, 3.0 + pace * f + 0.5 * slope * f * f});
+  for (auto& moment : rehearsal.realised)
+    if (moment.fraction > 0.015) moment.seconds += 5.0;
+  return rehearsal;
+}
+
+TEST(ExplainForecast, GoesOnAtASteadyPaceAndPaysListingsOnce) {
+  const auto course = extrapolate(known(0.2, 10.0, 0.0), 1.0);
+  EXPECT_NEAR(course.each, 10.0, 1e-9);
+  EXPECT_NEAR(course.moving_once, 3.0, 1e-9);
+  EXPECT_NEAR(course.standing_once, 5.0, 1e-9);
+}
+
+TEST(ExplainForecast, FollowsAPaceThatRisesUntilTheDomainIsFull) {
+  // 10 + 20 f to f = 0.5, then even: 10/2 + 20/8 + 20/2.
+  EXPECT_NEAR(extrapolate(known(0.2, 10.0, 20.0), 0.5).each, 17.5, 0.01);
+  EXPECT_NEAR(extrapolate(known(0.2, 10.0, 20.0), 1.0).each, 20.0, 0.01);
+}
+
+TEST(ExplainForecast, AFinishedRehearsalIsTheAnswer) {
+  auto finished = known(1.0, 10.0, 0.0);
+  finished.finished = true;
+  EXPECT_NEAR(extrapolate(finished, 1.0).each, 18.0, 1e-9);
 }
 
 }  // namespace

@@ -42,6 +42,30 @@ std::vector<std::string> Effects<D>::names() const {
 }
 
 template <int D>
+bool Effects<D>::remove(std::string_view name) {
+  bool removed = false;
+  const auto take = [&](auto& slot) {
+    const auto named = [&](const auto& effect) {
+      if constexpr (present<std::decay_t<decltype(effect)>>) return name == effect.name;
+      return false;
+    };
+    if (!std::visit(named, slot)) return;
+    slot = Absent{};
+    removed = true;
+  };
+  take(density_diffusion);
+  take(transport_velocity);
+  take(viscosity);
+  take(thermal_noise);
+  if (removed && name == ThermalNoise<D>::name) density = DensityByContinuity{};  // as without noise
+  if (bounce_back && name == BounceBack<D>::name) {
+    bounce_back.reset();
+    removed = true;
+  }
+  return std::erase_if(body, [&](const auto& effect) { return name == effect->name(); }) > 0 || removed;
+}
+
+template <int D>
 void Effects<D>::limits(const Scales<D>& scales, std::vector<StepLimit>& list) const {
   if (const auto* effect = std::get_if<Viscosity<D>>(&viscosity)) effect->limits(scales, list);
   if (const auto* effect = std::get_if<ThermalNoise<D>>(&thermal_noise)) effect->limits(scales, list);

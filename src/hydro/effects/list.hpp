@@ -27,6 +27,8 @@ struct Effects {
   static Effects choose(const scene::Scene& scene, const Scales<D>& scales, const base::RandomKey& key);
 
   std::vector<std::string> names() const;
+  // Takes an effect out, as if the scene did not call for it; false where it is none that can be left out.
+  bool remove(std::string_view name);
   void limits(const Scales<D>& scales, std::vector<StepLimit>& list) const;
   // Asks the store for the columns that these effects need.
   void require_columns(State<D>& state) const;

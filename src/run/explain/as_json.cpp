@@ -43,6 +43,48 @@ json of(const coupling::Experiment::Derived& one) {
   return {{"name", one.name}, {"value", number(one.value)}, {"unit", one.unit}, {"why", one.why}};
 }
 
+json of(const coupling::EffectCost& one, double step) {
+  return {{"name", one.name},
+          {"seconds", one.seconds},
+          {"share", one.share},
+          {"bytes", one.bytes},
+          {"columns", one.columns},
+          {"step_limit", number(one.step_limit)},
+          {"step_without", one.step_without},
+          {"rules", one.step_limit <= step}};
+}
+
+json of(const coupling::FlowCosts& flow) {
+  json effects = json::array();
+  for (const auto& one : flow.effects) effects.push_back(of(one, flow.step));
+  return {{"particles", flow.particles},
+          {"step", flow.step},
+          {"step_seconds", flow.step_seconds},
+          {"build_seconds", flow.build_seconds},
+          {"builds_per_step", flow.builds_per_step},
+          {"speedup", flow.speedup},
+          {"column_bytes", flow.column_bytes},
+          {"row_bytes", flow.row_bytes},
+          {"effects", effects}};
+}
+
+json of(const Forecast& one) {
+  json memory = json::object();
+  for (const auto& [part, bytes] : one.memory) memory[part] = bytes;
+  return {{"flow_time", one.flow_time},
+          {"flow_steps", one.flow_steps},
+          {"steady", one.steady},
+          {"shared_seconds", one.shared_seconds},
+          {"once_seconds", one.once_seconds},
+          {"realisation_seconds", one.realisation_seconds},
+          {"cpu_seconds", one.cpu_seconds},
+          {"wall_seconds", one.wall_seconds},
+          {"threads", one.threads},
+          {"bytes", one.bytes},
+          {"memory", memory},
+          {"how", one.how}};
+}
+
 template <class T>
 json all(const std::vector<T>& list) {
   json array = json::array();
@@ -54,11 +96,18 @@ json all(const std::vector<T>& list) {
 
 json as_json(const Report& report) {
   const auto& [scene, decisions, numbers] = report.decided;
-  return {{"title", scene.title},           {"file", scene.file},
-          {"dimension", scene.dimension},   {"voxels", numbers.voxels},
-          {"particles", numbers.particles}, {"spacing", numbers.spacing},
-          {"decisions", all(decisions)},    {"numbers", all(report.numbers)},
-          {"limits", all(report.limits)},   {"derived", all(report.derived)}};
+  return {{"title", scene.title},
+          {"file", scene.file},
+          {"dimension", scene.dimension},
+          {"voxels", numbers.voxels},
+          {"particles", numbers.particles},
+          {"spacing", numbers.spacing},
+          {"decisions", all(decisions)},
+          {"numbers", all(report.numbers)},
+          {"limits", all(report.limits)},
+          {"derived", all(report.derived)},
+          {"flow", report.flow ? of(*report.flow) : json()},
+          {"forecast", report.forecast ? of(*report.forecast) : json()}};
 }
 
 }  // namespace shmoo::run

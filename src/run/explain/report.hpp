@@ -1,12 +1,14 @@
 #pragma once
 // What `shmoo explain` says of a model, and how it is said.
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "coupling/experiment.hpp"
 #include "coupling/rules/decide.hpp"
 #include "coupling/rules/limits.hpp"
+#include "run/explain/forecast.hpp"
 
 namespace shmoo::run {
 
@@ -22,6 +24,8 @@ struct Report {
   std::vector<Telling> numbers;
   std::vector<coupling::Limit> limits;
   std::vector<coupling::Experiment::Derived> derived;
+  std::optional<coupling::FlowCosts> flow;  // where there is one, and it was measured
+  std::optional<Forecast> forecast;
 };
 
 std::vector<Telling> telling_numbers(const scene::Scene& scene, const coupling::Numbers& numbers);

@@ -1,0 +1,160 @@
+#include "coupling/flow_costs.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/clock.hpp"
+#include "hydro/fluid.hpp"
+
+namespace shmoo::coupling {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double shortest_block = 2e-3;  // [s] that is still timed well
+
+// The scene's flow without one effect, and what a step of it took. Differences are taken between the least times.
+template <int D>
+struct Variant {
+  std::string without;  // empty: nothing is left out
+  std::unique_ptr<hydro::Fluid<D>> fluid;
+  double least = infinite;      // [s]
+  std::vector<double> times{};  // [s] of a step, all measurements
+
+  void run(int steps) {
+    const double start = base::cpu_seconds();
+    for (int k = 0; k < steps; ++k) fluid->step();
+    times.push_back((base::cpu_seconds() - start) / steps);
+    least = std::min(least, times.back());
+  }
+  // What a step takes on the whole, while others use the machine as they do now.
+  double median() {
+    const auto middle = times.begin() + long(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+  }
+};
+
+template <int D>
+Variant<D> make_variant(const scene::Scene& scene, const std::string& without) {
+  auto filling = sph::fill<D>(scene);
+  std::vector<hydro::Derived> ignored;
+  const auto scales = hydro::derive_scales<D>(scene, filling, ignored);
+  auto effects = hydro::Effects<D>::choose(scene, scales, {scene.run.seed, 0});
+  if (!without.empty()) effects.remove(without);
+  return {without, std::make_unique<hydro::Fluid<D>>(scene, std::move(filling), std::move(effects))};
+}
+
+// The scene's flow as it is comes first.
+template <int D>
+std::vector<Variant<D>> make_variants(const scene::Scene& scene) {
+  std::vector<Variant<D>> variants;
+  variants.push_back(make_variant<D>(scene, ""));
+  auto names = variants.front().fluid->effects();
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  for (const auto& name : names) {
+    auto variant = make_variant<D>(scene, name);
+    if (variant.fluid->effects() != variants.front().fluid->effects()) variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+// In turns, so that what else the machine does meets all alike.
+template <int D>
+void run_in_turns(std::vector<Variant<D>>& variants, double budget) {
+  const double begin = base::cpu_seconds();
+  for (auto& variant : variants) variant.run(1);
+  const int steps = std::clamp(int(std::ceil(shortest_block / variants.front().least)), 1, 1000);
+  do {
+    for (auto& variant : variants) variant.run(steps);
+  } while (base::cpu_seconds() - begin < budget);
+}
+
+template <int D>
+EffectCost cost_of(const Variant<D>& whole, const Variant<D>& part) {
+  EffectCost cost{.name = part.without, .step_limit = infinite, .step_without = part.fluid->dt()};
+  cost.seconds = std::max(0.0, whole.least - part.least);
+  cost.share = cost.seconds / whole.least;
+  for (const auto& limit : whole.fluid->limits())
+    if (limit.name == part.without) cost.step_limit = limit.value;
+  const auto& kept = part.fluid->particles().columns();
+  for (const auto& column : whole.fluid->particles().columns()) {
+    const auto same = [&](const auto& other) { return other->name() == column->name(); };
+    if (std::any_of(kept.begin(), kept.end(), same)) continue;
+    cost.bytes += column->bytes();
+    cost.columns.push_back(column->name());
+  }
+  return cost;
+}
+
+// In turns the variants push each other out of the caches; a run has them to itself.
+template <int D>
+double time_of_step(Variant<D>& variant, double budget) {
+  variant.times.clear();
+  const int steps = std::clamp(int(std::ceil(shortest_block / variant.least)), 1, 1000);
+  const double begin = base::cpu_seconds();
+  do {
+    variant.run(steps);
+  } while (base::cpu_seconds() - begin < budget);
+  return variant.median();
+}
+
+// restart() lists the pairs and evaluates once, which is about a step.
+template <int D>
+double time_of_build(Variant<D>& variant) {
+  double least = infinite;
+  for (int k = 0; k < 3; ++k) {
+    const double start = base::cpu_seconds();
+    variant.fluid->restart();
+    least = std::min(least, base::cpu_seconds() - start);
+  }
+  return std::max(0.0, least - variant.least);
+}
+
+template <int D>
+double measure_speedup(Variant<D>& variant, int threads) {
+  if (threads == 1) return 1.0;
+  const auto wall = [&](int with) {
+    omp_set_num_threads(with);
+    double least = infinite;
+    for (int k = 0; k < 5; ++k) {
+      const double start = base::wall_seconds();
+      variant.fluid->step();
+      least = std::min(least, base::wall_seconds() - start);
+    }
+    return least;
+  };
+  const double many = wall(threads), one = wall(1);
+  return std::max(1.0, one / many);
+}
+
+template <int D>
+FlowCosts measure(const scene::Scene& scene, int threads, double budget) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  auto variants = make_variants<D>(scene);
+  run_in_turns(variants, 0.7 * budget);
+  auto& whole = variants.front();
+  const auto& fluid = *whole.fluid;
+  FlowCosts costs{.particles = fluid.particles().size(), .step = fluid.dt()};
+  costs.column_bytes = fluid.particles().bytes();
+  costs.row_bytes = fluid.state().rows.slots() * (sizeof(double) + sizeof(std::int32_t));
+  for (std::size_t v = 1; v < variants.size(); ++v) costs.effects.push_back(cost_of(whole, variants[v]));
+  const double half_skin = 0.5 * (fluid.state().rows.cutoff() - fluid.scales().reach);
+  costs.builds_per_step = std::min(1.0, fluid.scales().speed * fluid.dt() / half_skin);
+  costs.step_seconds = time_of_step(whole, 0.3 * budget);
+  costs.build_seconds = time_of_build(whole);
+  costs.speedup = measure_speedup(whole, threads);
+  omp_set_num_threads(before);
+  return costs;
+}
+
+}  // namespace
+
+FlowCosts measure_flow(const scene::Scene& scene, int threads, double budget) {
+  return scene.dimension == 2 ? measure<2>(scene, threads, budget) : measure<3>(scene, threads, budget);
+}
+
+}  // namespace shmoo::coupling

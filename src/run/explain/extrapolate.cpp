@@ -1,0 +1,69 @@
+// From the course of a part to the cost of the whole.
+#include <algorithm>
+#include <cmath>
+
+#include "run/explain/forecast.hpp"
+
+namespace shmoo::run {
+namespace {
+
+// Seconds per fraction as a straight line over the fraction, by least squares over the intervals, each as heavy as it
+// lasts. Intervals that list jumps anew come first and are left out.
+struct Line {
+  double level = 0, slope = 0, middle = 0;  // level at the middle
+  double at(double fraction) const { return level + slope * (fraction - middle); }
+};
+
+constexpr std::size_t first_pure = 2;
+
+Line fit(const std::vector<Moment>& moments) {
+  Line line;
+  double weight = 0, seconds = 0;
+  const auto each = [&](auto&& visit) {
+    for (std::size_t k = first_pure; k < moments.size(); ++k) {
+      const double df = moments[k].fraction - moments[k - 1].fraction;
+      visit(df, 0.5 * (moments[k].fraction + moments[k - 1].fraction), moments[k].seconds - moments[k - 1].seconds);
+    }
+  };
+  each([&](double df, double middle, double dt) {
+    weight += df;
+    seconds += dt;
+    line.middle += df * middle;
+  });
+  line.middle /= weight;
+  line.level = seconds / weight;
+  double above = 0, below = 0;
+  each([&](double df, double middle, double dt) {
+    above += (middle - line.middle) * (dt - line.level * df);
+    below += df * (middle - line.middle) * (middle - line.middle);
+  });
+  line.slope = below > 0.0 ? above / below : 0.0;
+  return line;
+}
+
+constexpr double enough_to_see_a_slope = 0.05;  // of the whole
+constexpr double most_change = 4.0;             // of the pace
+
+}  // namespace
+
+Course extrapolate(const Rehearsal& rehearsal, double until_even) {
+  const auto& moments = rehearsal.realised;
+  if (moments.empty()) return {rehearsal.closing_seconds};
+  const double told = moments.back().seconds, from = moments.back().fraction;
+  if (rehearsal.finished || moments.size() < first_pure + 2) return {(told + rehearsal.closing_seconds) / from};
+  Line line = fit(moments);
+  if (from < enough_to_see_a_slope) line.slope = 0.0;
+  const double even = std::clamp(until_even, from, 1.0);
+  const auto pace = [&](double fraction) {
+    return std::clamp(line.at(fraction), line.level / most_change, line.level * most_change);
+  };
+  Course course;
+  course.moving_once = std::max(0.0, moments[0].seconds - pace(0.0) * moments[0].fraction);
+  course.standing_once =
+      std::max(0.0, moments[1].seconds - moments[0].seconds - pace(0.0) * (moments[1].fraction - moments[0].fraction));
+  course.each = told - course.moving_once - course.standing_once + 0.5 * (pace(from) + pace(even)) * (even - from) +
+                pace(even) * (1.0 - even) + rehearsal.closing_seconds;
+  return course;
+}
+
+}  // namespace shmoo::run

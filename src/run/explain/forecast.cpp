@@ -1,0 +1,156 @@
+#include "run/explain/forecast.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/rules/settling.hpp"
+#include "run/explain/memory.hpp"
+#include "run/recorder.hpp"
+
+namespace shmoo::run {
+namespace {
+
+using Kind = Play::Kind;
+
+constexpr double carried_intervals = 3;  // at the start, moving, and standing
+
+bool anything_random(const scene::Scene& scene) {
+  const auto sampled = [](const auto& species) { return species.method == scene::SpeciesMethod::stochastic; };
+  return (scene.effects.flow && scene.effects.thermal_noise) ||
+         std::any_of(scene.species.begin(), scene.species.end(), sampled);
+}
+
+// The part of the run after which no more molecules come to be than there are: the fluid has crossed the domain.
+double until_even(const scene::Scene& scene, const coupling::Numbers& numbers) {
+  if (!scene.effects.flow || !(numbers.flow.speed > 0.0)) return 1.0;
+  double longest = 0.0;
+  for (std::size_t a = 0; a < std::size_t(scene.dimension); ++a)
+    longest = std::max(longest, scene.domain.upper[a] - scene.domain.lower[a]);
+  return longest / numbers.flow.speed / scene.run.until;
+}
+
+// A flow that nothing drives slows down as exp(-nu k^2 t), k = 2 pi/L on every axis; pairs are listed the less often.
+double mean_pace(const scene::Scene& scene, const coupling::Numbers& numbers, double time) {
+  const bool driven = scene.flow.body_force || !scene.inflows.empty() || scene.flow.initial_velocity.empty();
+  if (driven || numbers.walls) return 1.0;
+  const double k2 = scene.dimension * std::pow(2.0 * M_PI / numbers.flow.length, 2);
+  const double decay = numbers.flow.kinematic_viscosity * k2 * time;
+  return decay > 0.0 ? -std::expm1(-decay) / decay : 1.0;
+}
+
+double flow_seconds(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts& flow,
+                    const Forecast& forecast) {
+  const double builds = flow.builds_per_step * mean_pace(scene, numbers, forecast.flow_time);
+  return forecast.flow_steps * (flow.step_seconds + builds * flow.build_seconds);
+}
+
+void plan_flow(const scene::Scene& scene, const coupling::Numbers& numbers, Forecast& forecast) {
+  if (!scene.effects.flow) return;
+  const double settling = coupling::settling_time(scene, numbers);
+  forecast.steady = settling < scene.run.until;
+  forecast.flow_time = std::min(settling, scene.run.until);
+  // Steps of equal length fill an interval.
+  const double interval = std::min(coupling::flow_interval(scene, numbers), forecast.flow_time);
+  forecast.flow_steps = forecast.flow_time / interval * std::ceil(interval / numbers.flow.step);
+}
+
+// Intervals whose voxels are kept for all realisations.
+double kept_intervals(const scene::Scene& scene, const coupling::Numbers& numbers, const Forecast& forecast) {
+  if (scene.species.empty() || scene.effects.thermal_noise) return 0.0;
+  const double moving = forecast.flow_time > 0.0 ? forecast.flow_time / coupling::flow_interval(scene, numbers) : 0.0;
+  return std::ceil(moving * (1.0 - 1e-9)) + (forecast.steady ? 2.0 : 1.0);
+}
+
+void add_times(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts* flow,
+               const Play& play, const Rehearsal& rehearsal, Forecast& forecast) {
+  const double played = play.scene.run.until / scene.run.until;
+  const auto course = rehearsal.prepared ? extrapolate(rehearsal, until_even(scene, numbers) / played) : Course{};
+  if (anything_random(scene)) forecast.realisation_seconds = course.each / played;
+  forecast.shared_seconds = rehearsal.prepare_seconds;
+  if (play.kind != Kind::whole) forecast.shared_seconds = flow_seconds(scene, numbers, *flow, forecast);
+  const double moving = play.kind == Kind::carried ? kept_intervals(scene, numbers, forecast) - 1.0 : 1.0;
+  forecast.once_seconds = moving * course.moving_once + course.standing_once;
+  forecast.cpu_seconds =
+      forecast.shared_seconds + forecast.once_seconds + scene.run.realisations * forecast.realisation_seconds;
+  const double workers = std::min(forecast.threads, scene.run.realisations);
+  const double speedup = flow ? flow->speedup : 1.0;
+  forecast.wall_seconds = forecast.shared_seconds / speedup + forecast.once_seconds +
+                          forecast.realisation_seconds * std::ceil(scene.run.realisations / workers);
+}
+
+using Parts = std::vector<std::pair<std::string, double>>;  // [bytes]
+
+double sum(const Parts& parts) {
+  double bytes = 0;
+  for (const auto& part : parts) bytes += part.second;
+  return bytes;
+}
+
+// What the run holds all the time, and the larger of what it holds while it prepares and while it realises and writes.
+void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts* flow,
+                const Play& play, const Rehearsal& rehearsal, const coupling::RecordLayout& layout,
+                std::size_t idle_bytes, Forecast& forecast) {
+  const bool own_flow = scene.effects.flow && scene.effects.thermal_noise;  // every realisation has its own
+  const double workers = anything_random(scene) ? std::min(forecast.threads, scene.run.realisations) : 0;
+  const double flow_bytes = flow ? double(flow->column_bytes + flow->row_bytes) : 0.0;
+  const auto filled = [&](const coupling::FieldInfo& info) {
+    for (const auto& one : numbers.species)
+      if (one.name == info.name) return double(one.home) / double(numbers.voxels);
+    return 1.0;
+  };
+  double more = 1.0;  // intervals kept over intervals rehearsed
+  if (play.kind == Kind::carried) more = kept_intervals(scene, numbers, forecast) / carried_intervals;
+  if (play.kind == Kind::shortened) more = scene.run.until / play.scene.run.until;
+  const double voxels = scene.species.empty() ? 0.0 : more * double(rehearsal.state_bytes + rehearsal.shared_bytes);
+  Parts parts{{"program and libraries", double(idle_bytes)},
+              {"particles, network, records of their places", double(rehearsal.experiment_bytes)},
+              {"statistics of all realisations", results_bytes(layout, scene.run.realisations, filled)},
+              {"voxels and jump tables of the intervals", voxels}};
+  const Parts preparing{{"the flow's columns and pairs", own_flow ? 0.0 : flow_bytes},
+                        {"what all realisations record", recorder_bytes(layout, true)}};
+  const Parts realising{{"the flow's columns and pairs", own_flow ? workers * flow_bytes : 0.0},
+                        {"what realisations under way record", workers * recorder_bytes(layout, false)},
+                        {"writing the result", writing_bytes(layout)}};
+  const auto& larger = sum(preparing) > sum(realising) ? preparing : realising;
+  parts.insert(parts.end(), larger.begin(), larger.end());
+  for (const auto& [name, bytes] : parts)
+    if (bytes >= 1.0) forecast.memory.emplace_back(name, std::size_t(bytes));
+  forecast.bytes = std::size_t(sum(parts));
+}
+
+const char* told(Kind kind) {
+  switch (kind) {
+    case Kind::carried:
+      return "the flow for some steps, and the chemistry on a uniform steady flow in its place";
+    case Kind::shortened:
+      return "the flow for some steps, and the run with an earlier end";
+    default:
+      return "the run itself, from its beginning";
+  }
+}
+
+}  // namespace
+
+Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbers,
+                       const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads,
+                       std::size_t idle_bytes, double budget) {
+  Forecast forecast{.threads = threads};
+  const auto* costs = flow ? &*flow : nullptr;
+  plan_flow(scene, numbers, forecast);
+  auto play = choose_play(scene, numbers, costs, budget);
+  auto rehearsal = rehearse(play.scene, make, budget);
+  if (!rehearsal.prepared && costs) {  // slower than it seemed
+    play = choose_play(scene, numbers, costs, 0.0);
+    rehearsal = rehearse(play.scene, make, budget);
+  }
+  forecast.how = told(play.kind);
+  if (!rehearsal.prepared && rehearsal.prepared_fraction > 0.0)
+    rehearsal.prepare_seconds /= rehearsal.prepared_fraction;
+  add_times(scene, numbers, costs, play, rehearsal, forecast);
+  add_memory(scene, numbers, costs, play, rehearsal, make(scene)->layout(), idle_bytes, forecast);
+  return forecast;
+}
+
+}  // namespace shmoo::run

@@ -1,0 +1,48 @@
+#pragma once
+// A part of a run, played in full to see what it costs.
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "coupling/experiment.hpp"
+#include "coupling/flow_costs.hpp"
+#include "coupling/rules/numbers.hpp"
+
+namespace shmoo::run {
+
+// What is played.
+struct Play {
+  enum class Kind {
+    whole,      // the scene as it is, from its beginning
+    carried,    // the chemistry on a flow that is steady from the start, at a uniform velocity
+    shortened,  // the scene as it is, with an earlier end
+  };
+  Kind kind = Kind::whole;
+  scene::Scene scene;
+};
+
+Play choose_play(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts* flow,
+                 double budget);
+
+struct Moment {
+  double fraction = 0;  // of the time played
+  double seconds = 0;   // CPU time since the realisation began
+};
+
+struct Rehearsal {
+  double prepare_seconds = 0;      // CPU time of what realisations share
+  bool prepared = false;           // else stopped ...
+  double prepared_fraction = 0;    // ... here
+  std::vector<Moment> realised{};  // of realisation 0, after every interval
+  double closing_seconds = 0;      // CPU time after the last of them
+  bool finished = false;
+  std::size_t experiment_bytes = 0, shared_bytes = 0, state_bytes = 0;  // heap: made, prepared, in a realisation
+};
+
+using Maker = std::function<std::unique_ptr<coupling::Experiment>(scene::Scene scene)>;
+
+// Stops after about `budget` seconds of CPU time.
+Rehearsal rehearse(const scene::Scene& scene, const Maker& make, double budget);
+
+}  // namespace shmoo::run

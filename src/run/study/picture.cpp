@@ -96,7 +96,8 @@ bool draw_work_precision(const std::string& title, const Verdict& verdict, const
   }
   auto script = curve_style(title, fmt::format("{}: error ({}) against CPU time", verdict.quantity, verdict.norm));
   script += fmt::format(
-      "set logscale xy\nset xtics {}\nset ytics {}\nset xlabel 'CPU time of one run "
+      "set key at screen 0.97,0.86\nset tmargin at screen 0.80\nset logscale xy\nset xtics {}\nset ytics {}\nset "
+      "xlabel 'CPU time of one run "
       "(s)'\nset ylabel 'error' offset 0.5,0\nset xrange {}\nset yrange {}\n",
       cpu.tics(), error.tics(), cpu.range(), error.range());
   gnuplot.draw(script + plot + "\n", curve_width, curve_height, png);

@@ -1,28 +1,20 @@
 // shmoo bench on the command line, and its yardstick.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "run/bench/lattice_problem.hpp"
 #include "run/bench/next_subvolume.hpp"
-#include "run/command_line.hpp"
+#include "said.hpp"
 
 namespace {
 
 using namespace shmoo;
 
-struct Said {
-  int code;
-  std::string out, err;
-};
-
-Said bench(std::vector<const char*> words) {
-  words.insert(words.begin(), {"shmoo", "bench"});
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const int code = run::command_line(int(words.size()), words.data(), run::Workshop{});
-  std::fflush(stdout);
-  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+test::Said bench(std::vector<const char*> words) {
+  words.insert(words.begin(), "bench");
+  return test::say(std::move(words));
 }
 
 TEST(Bench, MeasuresAWorkloadAndChecksItsLaw) {

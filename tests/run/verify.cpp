@@ -3,24 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "run/command_line.hpp"
+#include "said.hpp"
 
 namespace {
 
 using namespace shmoo;
 
-struct Said {
-  int code;
-  std::string out, err;
-};
-
-Said verify(std::vector<const char*> words) {
-  words.insert(words.begin(), {"shmoo", "verify"});
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const int code = run::command_line(int(words.size()), words.data(), run::Workshop{});
-  std::fflush(stdout);
-  return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+test::Said verify(std::vector<const char*> words) {
+  words.insert(words.begin(), "verify");
+  return test::say(std::move(words));
 }
 
 TEST(Verify, JudgesACaseAndSaysSoInJson) {

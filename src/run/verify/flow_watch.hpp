@@ -24,6 +24,25 @@ inline scene::Scene scene_of(const std::string& text, const scene::Overrides& ov
   return scene::read_scene_text(text, "case.toml", overrides);
 }
 
+// A unit square of fluid of unit density, and what else its model says.
+inline std::string square(const std::string& spacing, const std::string& viscosity, const std::string& sides,
+                          const std::string& rest) {
+  return "title = \"A hard case\"\ndimension = 2\ndepth = \"1 m\"\n[domain]\nsize = [\"1 m\", \"1 m\"]\nspacing = \"" +
+         spacing + "\"\nboundary = " + sides + "\n[materials.liquid]\ntype = \"fluid\"\ndensity = \"1 kg/m^3\"\n" +
+         "viscosity = \"" + viscosity + "\"\n" + rest + "[run]\nuntil = \"1 s\"\n";
+}
+inline const std::string periodic = "{ x = \"periodic\", y = \"periodic\" }";
+
+// Vortices of unit speed, for such a square.
+inline const std::string vortices = R"toml([parameters]
+U = "1 m/s"
+k = "6.283185307179586 1/m"
+[flow]
+initial_velocity = ["-U * cos(k*x) * sin(k*y)", "U * sin(k*x) * cos(k*y)"]
+reference_speed = "1 m/s"
+reference_length = "1 m"
+)toml";
+
 template <int D>
 double count_outside(const hydro::Fluid<D>& fluid) {
   double outside = 0;

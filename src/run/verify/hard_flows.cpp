@@ -7,29 +7,7 @@ namespace {
 
 // Particles that start on a lattice must leave it without clumping, and go on when hardly any motion is left.
 std::vector<Finding> vortices_from_a_lattice() {
-  const auto scene = scene_of(R"toml(
-title = "Taylor-Green vortices to t = 20"
-dimension = 2
-depth = "1 m"
-[domain]
-size = ["1 m", "1 m"]
-spacing = "0.025 m"
-boundary = { x = "periodic", y = "periodic" }
-[materials.liquid]
-type = "fluid"
-density = "1 kg/m^3"
-viscosity = "0.01 Pa s"
-[parameters]
-U = "1 m/s"
-k = "6.283185307179586 1/m"
-[flow]
-initial_velocity = ["-U * cos(k*x) * sin(k*y)", "U * sin(k*x) * cos(k*y)"]
-reference_speed = "1 m/s"
-reference_length = "1 m"
-[run]
-until = "20 s"
-record_every = "20 s"
-)toml");
+  const auto scene = scene_of(square("0.025 m", "0.01 Pa s", periodic, vortices));
   hydro::Fluid<2> fluid(scene, sph::fill<2>(scene));
   const double start = fluid.kinetic_energy();
   const auto early = watch(fluid, 2.0, 20);
@@ -47,22 +25,8 @@ record_every = "20 s"
 
 // The velocity is singular in the corners, and the lid has its full speed in the first step.
 std::vector<Finding> sudden_lid() {
-  const auto scene = scene_of(R"toml(
-title = "A lid that starts at once, Re = 1000"
-dimension = 2
-depth = "1 m"
-[domain]
-size = ["1 m", "1 m"]
-spacing = "0.025 m"
-boundary = { x = "wall", y = "wall", y_max = { type = "wall", velocity = ["1 m/s", "0 m/s"] } }
-[materials.liquid]
-type = "fluid"
-density = "1 kg/m^3"
-viscosity = "0.001 Pa s"
-[run]
-until = "20 s"
-record_every = "20 s"
-)toml");
+  const std::string sides = R"({ x = "wall", y = "wall", y_max = { type = "wall", velocity = ["1 m/s", "0 m/s"] } })";
+  const auto scene = scene_of(square("0.025 m", "0.001 Pa s", sides, ""));
   hydro::Fluid<2> fluid(scene, sph::fill<2>(scene));
   const auto seen = watch(fluid, 20.0, 200);
   return {at_most("fastest particle, in speeds of the lid", seen.speed, 1.1),
@@ -72,28 +36,13 @@ record_every = "20 s"
 
 // Thermal speeds far above anything else: the speed of sound must follow and the temperature hold.
 std::vector<Finding> strong_noise() {
-  const auto scene = scene_of(R"toml(
-title = "A fluctuating box whose thermal energy is a million times that of its flow"
-dimension = 2
-depth = "1 m"
-[domain]
-size = ["1 m", "1 m"]
-spacing = "0.05 m"
-boundary = { x = "periodic", y = "periodic" }
-[materials.liquid]
-type = "fluid"
-density = "1 kg/m^3"
-viscosity = "0.1 Pa s"
-[flow]
+  const auto scene = scene_of(square("0.05 m", "0.1 Pa s", periodic, R"toml([flow]
 thermal_energy = "1 J"
 reference_speed = "1e-3 m/s"
 [effects]
 thermal_noise = true
 transport_velocity = false
-[run]
-until = "10 s"
-record_every = "10 s"
-)toml");
+)toml"));
   hydro::Fluid<2> fluid(scene, sph::fill<2>(scene), {1, 0});
   fluid.advance(100 * fluid.dt());
   constexpr int looks = 2000;
@@ -111,25 +60,10 @@ record_every = "10 s"
 // A force that nothing balances: particles outrun the step that was derived, which must shorten, and a uniform motion
 // must stay one.
 std::vector<Finding> runaway_force() {
-  const auto scene = scene_of(R"toml(
-title = "Free fall far beyond the speed that the step was derived for"
-dimension = 2
-depth = "1 m"
-[domain]
-size = ["1 m", "1 m"]
-spacing = "0.1 m"
-boundary = { x = "periodic", y = "periodic" }
-[materials.liquid]
-type = "fluid"
-density = "1 kg/m^3"
-viscosity = "0.001 Pa s"
-[flow]
+  const auto scene = scene_of(square("0.1 m", "0.001 Pa s", periodic, R"toml([flow]
 body_force = ["1 m/s^2", "0.5 m/s^2"]
 reference_speed = "1e-2 m/s"
-[run]
-until = "100 s"
-record_every = "100 s"
-)toml");
+)toml"));
   hydro::Fluid<2> fluid(scene, sph::fill<2>(scene));
   const double first = fluid.dt();
   const auto before = fluid.steps();

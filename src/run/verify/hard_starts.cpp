@@ -3,28 +3,7 @@
 namespace shmoo::run::verify {
 namespace {
 
-const std::string box = R"toml(
-title = "Slow vortices in a periodic box"
-dimension = 2
-depth = "1 m"
-[domain]
-size = ["1 m", "1 m"]
-spacing = "0.04 m"
-boundary = { x = "periodic", y = "periodic" }
-[materials.liquid]
-type = "fluid"
-density = "1 kg/m^3"
-viscosity = "0.01 Pa s"
-[parameters]
-U = "1 m/s"
-k = "6.283185307179586 1/m"
-[flow]
-initial_velocity = ["-U * cos(k*x) * sin(k*y)", "U * sin(k*x) * cos(k*y)"]
-reference_speed = "1 m/s"
-[run]
-until = "10 s"
-record_every = "10 s"
-)toml";
+const std::string box = square("0.04 m", "0.01 Pa s", periodic, vortices);
 
 // Whatever the arrangement, stirring must spread the particles out and viscosity bring them to rest; the first time
 // unit, a crossing of the box, may be lively.

@@ -35,7 +35,8 @@ const Need* cheapest(const Verdict& verdict, double wanted, bool random_only) {
 
 std::string choice(const Need* need) {
   if (!need) return "-";
-  const auto realisations = need->random ? fmt::format(", {} realisations", need->realisations) : "";
+  const auto realisations =
+      need->random ? fmt::format(", {} realisation{}", need->realisations, need->realisations == 1 ? "" : "s") : "";
   return fmt::format("{} at {}{}: {:.2g} CPU s", need->method, need->level, realisations, need->cpu_seconds);
 }
 

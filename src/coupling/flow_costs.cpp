@@ -20,20 +20,12 @@ template <int D>
 struct Variant {
   std::string without;  // empty: nothing is left out
   std::unique_ptr<hydro::Fluid<D>> fluid;
-  double least = infinite;      // [s]
-  std::vector<double> times{};  // [s] of a step, all measurements
+  double least = infinite;  // [s]
 
   void run(int steps) {
     const double start = base::cpu_seconds();
     for (int k = 0; k < steps; ++k) fluid->step();
-    times.push_back((base::cpu_seconds() - start) / steps);
-    least = std::min(least, times.back());
-  }
-  // What a step takes on the whole, while others use the machine as they do now.
-  double median() {
-    const auto middle = times.begin() + long(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+    least = std::min(least, (base::cpu_seconds() - start) / steps);
   }
 };
 
@@ -89,16 +81,23 @@ EffectCost cost_of(const Variant<D>& whole, const Variant<D>& part) {
   return cost;
 }
 
-// In turns the variants push each other out of the caches; a run has them to itself.
+// What a step takes on the whole, while others use the machine as they do now. In turns the variants push each other
+// out of the caches; a run has them to itself. Steps that list pairs anew are counted apart.
 template <int D>
 double time_of_step(Variant<D>& variant, double budget) {
-  variant.times.clear();
-  const int steps = std::clamp(int(std::ceil(shortest_block / variant.least)), 1, 1000);
+  std::vector<double> times;
+  const auto& rows = variant.fluid->state().rows;
   const double begin = base::cpu_seconds();
-  do {
-    variant.run(steps);
-  } while (base::cpu_seconds() - begin < budget);
-  return variant.median();
+  for (double start = begin; start - begin < budget || times.empty();) {
+    const auto builds = rows.builds();
+    variant.fluid->step();
+    const double end = base::cpu_seconds();
+    if (rows.builds() == builds || end - begin > 2.0 * budget) times.push_back(end - start);
+    start = end;
+  }
+  const auto middle = times.begin() + long(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
 }
 
 // restart() lists the pairs and evaluates once, which is about a step.

@@ -1,6 +1,7 @@
 // From the course of a part to the cost of the whole.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "run/explain/forecast.hpp"
 
@@ -49,6 +50,8 @@ constexpr double most_change = 4.0;             // of the pace
 Course extrapolate(const Rehearsal& rehearsal, double until_even) {
   const auto& moments = rehearsal.realised;
   if (moments.empty()) return {rehearsal.closing_seconds};
+  if (!rehearsal.others.empty())
+    return {std::accumulate(rehearsal.others.begin(), rehearsal.others.end(), 0.0) / double(rehearsal.others.size())};
   const double told = moments.back().seconds, from = moments.back().fraction;
   if (rehearsal.finished || moments.size() < first_pure + 2) return {(told + rehearsal.closing_seconds) / from};
   Line line = fit(moments);

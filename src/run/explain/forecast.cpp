@@ -110,9 +110,11 @@ void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, con
               {"voxels and jump tables of the intervals", voxels}};
   const Parts preparing{{"the flow's columns and pairs", own_flow ? 0.0 : flow_bytes},
                         {"what all realisations record", recorder_bytes(layout, true)}};
-  const Parts realising{{"the flow's columns and pairs", own_flow ? workers * flow_bytes : 0.0},
-                        {"what realisations under way record", workers * recorder_bytes(layout, false)},
-                        {"writing the result", writing_bytes(layout)}};
+  // The record of the last one is gone when the result is written in the end.
+  const Parts realising{
+      {"the flow's columns and pairs", own_flow ? workers * flow_bytes : 0.0},
+      {"what realisations under way record", std::max(0.0, workers - 1.0) * recorder_bytes(layout, false)},
+      {"writing the result", writing_bytes(layout)}};
   const auto& larger = sum(preparing) > sum(realising) ? preparing : realising;
   parts.insert(parts.end(), larger.begin(), larger.end());
   for (const auto& [name, bytes] : parts)

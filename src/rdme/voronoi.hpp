@@ -1,8 +1,9 @@
 #pragma once
-// Faces between the Voronoi cells of particles: the pair weights A_ij/r_ij are positive and symmetric, sum_j (A_ij/r_ij)
-// x_ij = 0 for every cell away from sides whatever the arrangement, and with the face at a side also next to it. Diffusion
-// through them is exact for linear profiles and of second order on disordered particles (Eymard, Gallouet, Herbin, Finite
-// volume methods, 2000), which kernel weights are not. Cells are found by Voro++ (Rycroft, Chaos 19, 041111, 2009).
+// Faces between the Voronoi cells of particles: the pair weights A_ij/r_ij are positive and symmetric, sum_j
+// (A_ij/r_ij) x_ij = 0 for every cell away from sides whatever the arrangement, and with the face at a side also next
+// to it. Diffusion through them is exact for linear profiles and of second order on disordered particles (Eymard,
+// Gallouet, Herbin, Finite volume methods, 2000), which kernel weights are not. Cells are found by Voro++ (Rycroft,
+// Chaos 19, 041111, 2009).
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,9 +19,9 @@ struct VoronoiCells {
   std::vector<double> volume;         // [particles] [m^D]
 };
 
-// `vacant` [m] are further points that have cells but are no particles: they bound the cells beside a void. `spacing` [m]
-// is the typical distance of points. All points lie in the box, and every periodic extent is at least four spacings.
-// Throws base::RunError where points coincide or lie outside.
+// `vacant` [m] are further points that have cells but are no particles: they bound the cells beside a void. `spacing`
+// [m] is the typical distance of points. All points lie in the box, and every periodic extent is at least four
+// spacings. Throws base::RunError where points coincide or lie outside.
 template <int D>
 VoronoiCells voronoi_cells(std::span<const base::Vec<D>> position, std::span<const base::Vec<D>> vacant,
                            const base::Box<D>& box, double spacing);

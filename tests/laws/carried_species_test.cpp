@@ -52,7 +52,8 @@ double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.e
 
 // The largest relative deviation from uniformity at the end, and the largest change of a voxel's capacity.
 std::pair<double, double> nonuniformity(const std::string& step) {
-  const test::Laboratory lab(scene::read_scene_text(vortices, "vortices.toml", {{"numerics.splitting_step", step}, {"numerics.tolerance", "1e-10"}}));
+  const test::Laboratory lab(scene::read_scene_text(
+      vortices, "vortices.toml", {{"numerics.splitting_step", step}, {"numerics.tolerance", "1e-10"}}));
   const auto sink = lab.realise(0);
   const auto& volume = lab.shared.at("volume", 3);
   const auto& amount = sink.at("U", 3);

@@ -108,7 +108,8 @@ TEST_P(AnyStep, ManyMoleculesAreMovedTogether) {
 
 INSTANTIATE_TEST_SUITE_P(JumpsPerMolecule, AnyStep, testing::Values(0.1, 1.0, 10.0, 100.0));
 
-// Steps in which hardly any molecule jumps, with few and with many molecules in a voxel: the number of jumps is Poisson.
+// Steps in which hardly any molecule jumps, with few and with many molecules in a voxel: the number of jumps is
+// Poisson.
 TEST(Split, TinyStepsAreExact) {
   for (std::int64_t each : {50, 5000}) {
     Trial trial(scene::Sampler::split, walkers(), lattice({20, 20, 1}, true, 1.0, 1));

@@ -18,7 +18,8 @@ std::vector<std::string> shipped_models() {
   std::vector<std::string> models;
   const fs::path root = fs::path(SHMOO_SOURCE_DIR) / "models";
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.path().extension() == ".toml" && !entry.path().filename().string().starts_with("study")) models.push_back(fs::relative(entry.path(), root).string());
+    if (entry.path().extension() == ".toml" && !entry.path().filename().string().starts_with("study"))
+      models.push_back(fs::relative(entry.path(), root).string());
   }
   std::sort(models.begin(), models.end());
   return models;

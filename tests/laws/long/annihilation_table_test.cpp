@@ -127,9 +127,9 @@ TEST(PublishedTables, Annihilation) {
   }
 }
 
-// The published SSA row is of the steady state: realisations start from the deterministic one and run for three seconds,
-// three relaxation times of the slowest mode, 1/(pi^2 kappa). Where A and B both are scarce, correlations slow the
-// reaction down, so the mean need not be the deterministic solution at the front; E[A - B] must.
+// The published SSA row is of the steady state: realisations start from the deterministic one and run for three
+// seconds, three relaxation times of the slowest mode, 1/(pi^2 kappa). Where A and B both are scarce, correlations slow
+// the reaction down, so the mean need not be the deterministic solution at the front; E[A - B] must.
 TEST(PublishedTables, SteadyAnnihilation) {
   const double published[] = {7.285e-4, 5.334e-4, 6.644e-4};
   for (int level = 0; level < 3; ++level) {

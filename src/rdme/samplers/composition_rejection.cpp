@@ -33,11 +33,15 @@ void CompositionRejection::bind(const Voxels& voxels, State& state, std::shared_
   tables_ = std::move(tables);
   propensities_.bind(voxels, state);
   table_.clear();
-  for (const auto& table : tables_->of_species) table_.push_back(table.get());
+  mobile_.clear();
+  for (const auto& table : tables_->of_species) {
+    if (table) mobile_.push_back(static_cast<std::uint32_t>(table_.size()));
+    table_.push_back(table.get());
+  }
   leave_ = tables_->leave_rate.data();
   entry_ = tables_->entry_rate.empty() ? nullptr : tables_->entry_rate.data();
   count_ = state.count.data();
-  value_.assign(network_.any_sampled() ? voxels.size() * reactions_ : 0, 0.0);
+  rows_.clear(network_.any_sampled() ? voxels.size() : 0, reactions_);
   derived_ = false;
 }
 
@@ -45,7 +49,7 @@ void CompositionRejection::derive_all() {
   groups_.clear(voxels_->size());
   for (std::uint32_t i = 0; i < voxels_->size(); ++i) {
     for (int r : network_.sampled_in(voxels_->material[i])) {
-      value_[i * reactions_ + r] = reaction_ ? propensities_(r, i) : 0.0;
+      rows_.set(i, std::size_t(r), reaction_ ? propensities_(r, i) : 0.0);
     }
     refresh(i);
   }
@@ -57,13 +61,10 @@ void CompositionRejection::refresh(std::uint32_t voxel) {
   if (diffusion_) {
     const double* const leave = leave_ + voxel * species_;
     const std::int64_t* const count = count_ + voxel * species_;
-    for (std::size_t s = 0; s < species_; ++s) total += leave[s] * static_cast<double>(count[s]);
+    for (const std::uint32_t s : mobile_) total += leave[s] * static_cast<double>(count[s]);
     for (std::size_t s = 0; entry_ && s < species_; ++s) total += entry_[voxel * species_ + s];
   }
-  if (reaction_) {
-    const double* const value = value_.data() + voxel * reactions_;
-    for (int r : network_.sampled_in(voxels_->material[voxel])) total += value[r];
-  }
+  if (reaction_) total += rows_.total(voxel);
   if (!(total < 0x1p1000)) {
     throw base::RunError(fmt::format("the rates in voxel {} add up to {} 1/s, which is no finite rate", voxel, total));
   }
@@ -73,7 +74,7 @@ void CompositionRejection::refresh(std::uint32_t voxel) {
 void CompositionRejection::species_changed(std::uint32_t voxel, int species) {
   if (!reaction_) return;
   for (int r : network_.after_species(species, voxels_->material[voxel])) {
-    value_[voxel * reactions_ + r] = propensities_(r, voxel);
+    rows_.set(voxel, std::size_t(r), propensities_(r, voxel));
   }
 }
 
@@ -153,7 +154,7 @@ std::uint32_t CompositionRejection::fire(std::uint32_t voxel, double rest, std::
   if (diffusion_) {
     const double* const leave = leave_ + voxel * species_;
     const std::int64_t* const count = count_ + voxel * species_;
-    for (std::size_t s = 0; s < species_; ++s) {
+    for (const std::uint32_t s : mobile_) {
       const double rate = leave[s] * static_cast<double>(count[s]);
       if (rest < rate) {
         return jump(voxel, static_cast<int>(s), table_[s] == table_[0] ? guess : table_[s]->target(voxel, word));
@@ -173,14 +174,8 @@ std::uint32_t CompositionRejection::fire(std::uint32_t voxel, double rest, std::
     }
   }
   if (!reaction_) return voxel;  // round-off at the end of a sum: nothing happens
-  for (int r : network_.sampled_in(voxels_->material[voxel])) {
-    const double rate = value_[voxel * reactions_ + r];
-    if (rest < rate) {
-      react(voxel, r);
-      return voxel;
-    }
-    rest -= rate;
-  }
+  const std::size_t reaction = rows_.pick(voxel, rest);
+  if (reaction < reactions_) react(voxel, static_cast<int>(reaction));
   return voxel;
 }
 
@@ -203,7 +198,7 @@ void CompositionRejection::react(std::uint32_t voxel, int reaction) {
   change_numbers(*state_, network_, network_.reactions()[reaction], voxel);
   ++events_[reaction];
   for (int r : network_.after_reaction(reaction, voxels_->material[voxel])) {
-    value_[voxel * reactions_ + r] = propensities_(r, voxel);
+    rows_.set(voxel, std::size_t(r), propensities_(r, voxel));
   }
   refresh(voxel);
 }

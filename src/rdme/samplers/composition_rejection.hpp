@@ -9,6 +9,7 @@
 #include "rdme/propensity.hpp"
 #include "rdme/sampler.hpp"
 #include "rdme/samplers/groups.hpp"
+#include "rdme/samplers/propensity_rows.hpp"
 #include "rdme/words.hpp"
 
 namespace shmoo::rdme {
@@ -54,10 +55,11 @@ class CompositionRejection final : public Sampler {
   bool diffusion_ = true, reaction_ = true;  // what the process acts on
   Groups groups_;
   std::vector<const JumpTable*> table_;  // by species
+  std::vector<std::uint32_t> mobile_;    // species that jump or leave anywhere
   const double* leave_ = nullptr;        // as in JumpTables
   const double* entry_ = nullptr;        // null where nothing enters
   std::int64_t* count_ = nullptr;
-  std::vector<double> value_;         // propensities, entry [voxel * reactions + r]
+  PropensityRows rows_;
   std::vector<std::int64_t> events_;  // by reaction, of this advance
 };
 

@@ -32,7 +32,7 @@ TEST(Verify, NamesItsCases) {
 TEST(Verify, RefusesUnknownSuitesAndCases) {
   auto said = verify({"stabilty"});
   EXPECT_EQ(said.code, run::exit_input);
-  EXPECT_NE(said.err.find("the suites are: stability"), std::string::npos);
+  EXPECT_NE(said.err.find("the suites are: chemistry, stability"), std::string::npos);
   said = verify({"stability", "--case", "nothing"});
   EXPECT_EQ(said.code, run::exit_input);
   EXPECT_NE(said.err.find("its cases are: disordered"), std::string::npos);

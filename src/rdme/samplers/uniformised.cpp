@@ -6,6 +6,7 @@
 #include <bit>
 #include <boost/math/special_functions/gamma.hpp>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -20,6 +21,8 @@ namespace {
 
 constexpr std::int64_t few = 512;        // molecules of a voxel that are moved one by one
 constexpr double least_chance = 0x1p-9;  // below it 32 bits are too coarse for a yes or no
+constexpr double sparse = 10;            // molecules per occupied voxel that go on, up to which they walk
+constexpr double short_walk = 4;         // moves
 constexpr std::size_t batch = 256;       // words
 constexpr std::uint32_t together = 256;  // voxels that share a sequence of random numbers
 
@@ -135,6 +138,7 @@ void UniformisedDiffusion::rounds(Walk& walk, base::Stream stream, const std::ve
     further_.clear();  // P(K >= number + j)/P(K >= number), j = 1, 2, ...
     thresholds_.clear();
     for (std::size_t r = number + std::size_t{1}; r < at_least.size(); ++r) {
+      if (at_least[r] < 0x1p-64 * at_least[number]) break;
       further_.push_back(at_least[r] / at_least[number]);
       thresholds_.push_back(static_cast<std::uint32_t>(further_.back() * 0x1p32 * (1 - 0x1p-33)));
     }
@@ -145,6 +149,7 @@ void UniformisedDiffusion::rounds(Walk& walk, base::Stream stream, const std::ve
           "a molecule makes more moves in one splitting step than random numbers are addressed for; take a "
           "shorter step");
     }
+    walk_out_ = walking_pays();
     round(walk, stream, number);
     std::swap(active_, next_);
     walk.exits += std::exchange(active_[walk.voxels], 0);
@@ -153,16 +158,31 @@ void UniformisedDiffusion::rounds(Walk& walk, base::Stream stream, const std::ve
   walk.exits += std::exchange(resting_[walk.voxels], 0);
 }
 
+// Walking costs more per move than moving a voxel's molecules by its one row, but less per voxel and round. Among many
+// molecules, which move in counts, only the last moves are worth walking.
+bool UniformisedDiffusion::walking_pays() const {
+  std::int64_t sum = 0, most = 0, occupied = 0;
+  for (const std::int64_t n : active_) {
+    sum += n;
+    most = std::max(most, n);
+    occupied += n > 0 ? 1 : 0;
+  }
+  if (double(sum) * further_.front() > sparse * double(occupied)) return false;
+  return most <= few || std::accumulate(further_.begin(), further_.end(), 0.0) < short_walk;
+}
+
 void UniformisedDiffusion::round(Walk& walk, base::Stream stream, std::uint32_t number) {
   for (std::uint32_t begin = 0; begin < walk.voxels; begin += together) {
     WordStream words({walk.address->key, stream, walk.address->step, begin, number * walk.stride + walk.species});
     const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(walk.voxels, std::size_t{begin} + together));
     for (std::uint32_t i = begin; i < end; ++i) {
       if (active_[i] == 0) continue;
-      if (active_[i] <= few) {
+      if (active_[i] > few) {
+        move_many(walk, i, words.sequence(), further_.front());
+      } else if (walk_out_) {
         walk_out(walk, i, words);
       } else {
-        move_many(walk, i, words.sequence(), further_.front());
+        move_few(walk, i, words);
       }
       active_[i] = 0;
     }
@@ -203,6 +223,21 @@ void UniformisedDiffusion::walk_out(Walk& walk, std::uint32_t voxel, WordStream&
     for (std::size_t k = going_[j + 1]; k < going_[j]; ++k) ++resting_[place[k]];
   }
   walk.jumps += jumps;
+}
+
+// One move of a few molecules, which may go on among many.
+void UniformisedDiffusion::move_few(Walk& walk, std::uint32_t voxel, WordStream& words) {
+  const auto here = static_cast<std::size_t>(active_[voxel]);
+  const double chance = further_.front();
+  const std::size_t going = chance < least_chance
+                                ? static_cast<std::size_t>(base::binomial(words.sequence(), active_[voxel], chance))
+                                : below(words.take(here), thresholds_.front());
+  resting_[voxel] += static_cast<std::int64_t>(here - going);
+  std::int64_t* const next = next_.data();
+  const JumpTable& table = *walk.table;
+  const std::int64_t unmoved = next[voxel] + next[walk.voxels];
+  for (const std::uint32_t word : words.take(going)) ++next[table.target(voxel, word)];
+  walk.jumps += static_cast<std::int64_t>(going) - (next[voxel] + next[walk.voxels] - unmoved);
 }
 
 // One binomial number for all that go on, then one for each entry of the row.

@@ -3,8 +3,8 @@
 // Aktuarietidskr. 36, 87). Molecules are independent walkers with jump generator Q. With L the largest total rate of
 // any row, each makes K ~ Poisson(L dt) moves of the chain 1 + Q/L. Where a voxel holds many molecules, these move in
 // rounds, in counts: in round r a molecule goes on with the probability P(K >= r)/P(K >= r - 1) and moves by its
-// voxel's row. Where it holds few, each makes all moves that are left to it at once. Rounds end when all have come to
-// rest. Exits lead to a row outside.
+// voxel's row. Where voxels hold few, each molecule makes all its further moves at
+// once. Rounds end when all have come to rest. Exits lead to a row outside.
 //
 // Molecules that enter do so in Poisson numbers at uniform times u and walk for dt - u. Averaged over u their moves
 // obey P(K >= r) = E[max(0, M - r)]/(L dt), M ~ Poisson(L dt), so they make rounds of their own with these
@@ -55,6 +55,8 @@ class UniformisedDiffusion {
   void rounds(Walk& walk, base::Stream stream, const std::vector<double>& at_least);
   void round(Walk& walk, base::Stream stream, std::uint32_t number);
   void count_moves(std::size_t here, WordStream& words);
+  bool walking_pays() const;
+  void move_few(Walk& walk, std::uint32_t voxel, WordStream& words);
   void walk_out(Walk& walk, std::uint32_t voxel, WordStream& words);
   void move_many(Walk& walk, std::uint32_t voxel, base::RandomSequence& random, double chance);
 
@@ -62,6 +64,7 @@ class UniformisedDiffusion {
   std::vector<std::int64_t> resting_, active_, next_;  // by voxel, and outside
   std::vector<double> further_;                        // of the round: chance of a first, second, ... further move
   std::vector<std::size_t> going_;         // of the voxel: molecules that make a first, second, ... further move
+  bool walk_out_ = false;                  // in this round
   std::vector<std::uint32_t> thresholds_;  // the same, of 2^32
 };
 

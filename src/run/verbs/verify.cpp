@@ -13,7 +13,7 @@ namespace shmoo::run {
 namespace {
 
 struct Wish {
-  std::string suite;
+  std::string suite, seed;
   std::vector<std::string> cases;
   bool list = false, json = false;
 };
@@ -28,9 +28,10 @@ struct Verdict {
 };
 
 std::vector<verify::Case> wanted(const Wish& wish) {
-  if (wish.suite != "stability")
-    throw base::InputError(fmt::format("there is no suite '{}'; the suites are: stability", wish.suite));
-  auto all = verify::stability_cases();
+  if (wish.suite != "stability" && wish.suite != "chemistry")
+    throw base::InputError(fmt::format("there is no suite '{}'; the suites are: chemistry, stability", wish.suite));
+  const auto seed = wish.seed.empty() ? 1 : whole_number("--seed", wish.seed, 0, ~std::uint64_t{0} >> 1);
+  auto all = wish.suite == "stability" ? verify::stability_cases() : verify::chemistry_cases(seed);
   if (wish.cases.empty()) return all;
   std::vector<verify::Case> some;
   for (const auto& name : wish.cases) {
@@ -102,7 +103,10 @@ int run_suite(const Wish& wish) {
 void declare_verify(CLI::App& app, Desk& desk) {
   auto wish = std::make_shared<Wish>();
   auto* verb = app.add_subcommand("verify", "Run cases that are judged by laws, on this machine");
-  verb->add_option("SUITE", wish->suite, "stability: hard cases, run to a long time")->required();
+  verb->add_option("SUITE", wish->suite,
+                   "chemistry: every sampler against exact laws; stability: hard cases, run to a long time")
+      ->required();
+  verb->add_option("--seed", wish->seed, "of the random numbers of chemistry [1]");
   verb->add_option("--case", wish->cases, "only this case; may be repeated")
       ->take_all()
       ->expected(1)

@@ -2,6 +2,7 @@
 // A case of verification: a scene that is run and the laws it is judged by. A law is a number and the interval it must
 // lie in; a number that is no number breaks every law.
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -42,7 +43,11 @@ struct Case {
 // Hard cases, run to a long time and judged by laws instead of by not crashing.
 std::vector<Case> stability_cases();
 
-// Parts of the above, by what they strain.
+// Every sampler against exact laws of small networks, chi-square of whole distributions. A law that holds is called
+// broken in one of a million runs of each.
+std::vector<Case> chemistry_cases(std::uint64_t seed);
+
+// Parts of the stability cases, by what they strain.
 std::vector<Case> hard_starts();      // where particles stand at the start
 std::vector<Case> hard_flows();       // forces, walls, noise
 std::vector<Case> hard_chemistry();   // numbers of molecules and rates

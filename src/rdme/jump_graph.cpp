@@ -52,6 +52,7 @@ class Builder {
     const double reach = std::visit([](const auto& k) { return k.reach(); }, kernel);
     mirrored_ = mirror(places, box, reach);
     rows_.build(mirrored_.position, box, reach);
+    releases_ = std::find(habitat.source.begin(), habitat.source.end(), true) != habitat.source.end();
     for (int side = 0; side < 2 * D; ++side) {
       if (habitat.side[static_cast<std::size_t>(side)] == SideUse::open) open_ |= static_cast<std::uint8_t>(1u << side);
     }
@@ -160,6 +161,7 @@ class Builder {
 
   // The share of a surface that releases a flux: 2 V_i |sum V_j grad W| over the particles of its material.
   void add_surface(std::size_t i, Row& row) const {
+    if (!releases_) return;
     base::Vec<D> surface = base::Vec<D>::Zero();
     std::uint32_t source = 0;
     each(i, [&](std::uint32_t, std::size_t j, const base::Vec<D>& x_ij, double F) {
@@ -255,6 +257,7 @@ class Builder {
   double depth_;
   const Habitat& habitat_;
   std::uint8_t open_ = 0;
+  bool releases_ = false;  // some material's surface does
   Mirrored<D> mirrored_;
   sph::NeighbourRows<D> rows_;
   std::vector<double> scale_;  // kernel weights only

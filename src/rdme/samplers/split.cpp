@@ -5,12 +5,6 @@
 #include "rdme/samplers/events.hpp"
 
 namespace shmoo::rdme {
-namespace {
-
-constexpr std::uint32_t together = 256;  // voxels that share a sequence of random numbers
-
-}  // namespace
-
 Split::Split(const Network& network)
     : network_(network),
       propensities_(network),
@@ -48,9 +42,9 @@ void Split::react(double t, double dt, const Address& address, std::uint32_t hal
   if (!network_.any_sampled()) return;
   propensities_.set_time(t + 0.5 * dt);
   const auto size = static_cast<std::uint32_t>(voxels_->size());
-  for (std::uint32_t begin = 0; begin < size; begin += together) {
+  for (std::uint32_t begin = 0; begin < size; begin += voxels_per_sequence) {
     base::RandomSequence random(address.key, base::Stream::voxel_reactions, address.step, begin, half);
-    for (std::uint32_t i = begin; i < std::min(size, begin + together); ++i) {
+    for (std::uint32_t i = begin; i < std::min(size, begin + voxels_per_sequence); ++i) {
       double sum = 0;
       for (int r : network_.sampled_in(voxels_->material[i])) sum += value_[r] = propensities_(r, i);
       if (sum > 0) react(i, dt, random, sum);

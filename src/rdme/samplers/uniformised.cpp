@@ -24,7 +24,6 @@ constexpr double least_chance = 0x1p-9;  // below it 32 bits are too coarse for 
 constexpr double sparse = 10;            // molecules per occupied voxel that go on, up to which they walk
 constexpr double short_walk = 4;         // moves
 constexpr std::size_t batch = 256;       // words
-constexpr std::uint32_t together = 256;  // voxels that share a sequence of random numbers
 
 // How many words lie below the threshold.
 std::size_t below(std::span<const std::uint32_t> words, std::uint32_t threshold) {
@@ -172,9 +171,10 @@ bool UniformisedDiffusion::walking_pays() const {
 }
 
 void UniformisedDiffusion::round(Walk& walk, base::Stream stream, std::uint32_t number) {
-  for (std::uint32_t begin = 0; begin < walk.voxels; begin += together) {
+  for (std::uint32_t begin = 0; begin < walk.voxels; begin += voxels_per_sequence) {
     WordStream words({walk.address->key, stream, walk.address->step, begin, number * walk.stride + walk.species});
-    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(walk.voxels, std::size_t{begin} + together));
+    const auto end =
+        static_cast<std::uint32_t>(std::min<std::size_t>(walk.voxels, std::size_t{begin} + voxels_per_sequence));
     for (std::uint32_t i = begin; i < end; ++i) {
       if (active_[i] == 0) continue;
       if (active_[i] > few) {

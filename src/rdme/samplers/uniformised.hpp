@@ -22,6 +22,9 @@
 
 namespace shmoo::rdme {
 
+// Neighbours by id that share a sequence of random numbers, in diffusion and in the reactions of a splitting step.
+constexpr std::uint32_t voxels_per_sequence = 256;
+
 // Where a step finds its random numbers.
 struct Address {
   base::RandomKey key;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/clock.hpp"
 #include "rdme/sampler.hpp"
 #include "run/bench/lattice_problem.hpp"
 #include "run/bench/next_subvolume.hpp"
@@ -45,10 +46,10 @@ Measurement with_sampler(const Problem& problem, scene::Sampler method, double d
   Measurement measurement;
   measurement.bytes_per_voxel = (allocated_bytes() - before) / double(voxels.size());
   const auto done = events_of(state);
-  const double start = cpu_seconds();
+  const double start = base::cpu_seconds();
   do {
     sampler->advance(0, dt, rdme::Process::both, {1, 0}, step++);
-    measurement.cpu_seconds = cpu_seconds() - start;
+    measurement.cpu_seconds = base::cpu_seconds() - start;
   } while (measurement.cpu_seconds < seconds);
   measurement.rate = double(events_of(state) - done) / measurement.cpu_seconds;
   judge(problem, network, state, voxels.size(), measurement);
@@ -66,11 +67,11 @@ Measurement with_heap(const Problem& problem, double seconds) {
   Measurement measurement;
   measurement.bytes_per_voxel = (allocated_bytes() - before) / double(voxels.size());
   std::uint64_t done = 0;
-  const double start = cpu_seconds();
+  const double start = base::cpu_seconds();
   do {
     heap.events(portion);
     done += portion;
-    measurement.cpu_seconds = cpu_seconds() - start;
+    measurement.cpu_seconds = base::cpu_seconds() - start;
   } while (measurement.cpu_seconds < seconds);
   measurement.rate = double(done) / measurement.cpu_seconds;
   const double off = problem.deviations(state, voxels.size());

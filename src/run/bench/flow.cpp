@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "hydro/fluid.hpp"
 #include "run/bench/workload.hpp"
 #include "scene/read.hpp"
@@ -48,10 +49,10 @@ Measurement whole_steps(const std::string& text, double seconds) {
   Measurement measurement;
   measurement.bytes_per_voxel = (allocated_bytes() - before) / particles;
   const auto done = fluid.steps();
-  const double start = cpu_seconds();
+  const double start = base::cpu_seconds();
   do {
     fluid.step();
-    measurement.cpu_seconds = cpu_seconds() - start;
+    measurement.cpu_seconds = base::cpu_seconds() - start;
   } while (measurement.cpu_seconds < seconds);
   measurement.rate = particles * double(fluid.steps() - done) / measurement.cpu_seconds;
   measurement.right = fluid.density_error() < 0.1;

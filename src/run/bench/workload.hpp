@@ -24,7 +24,6 @@ struct Workload {
 std::vector<Workload> chemistry_workloads();
 std::vector<Workload> flow_workloads();
 
-double cpu_seconds();      // [s] of this process
 double allocated_bytes();  // on the heap, now
 
 }  // namespace shmoo::run::bench

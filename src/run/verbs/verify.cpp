@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "run/verbs/verbs.hpp"
 #include "run/verify/case.hpp"
@@ -48,13 +48,13 @@ std::vector<verify::Case> wanted(const Wish& wish) {
 
 Verdict judge(const verify::Case& one) {
   Verdict verdict;
-  const double start = double(std::clock());
+  const double start = base::cpu_seconds();
   try {
     verdict.findings = one.run();
   } catch (const std::exception& error) {
     verdict.failure = error.what();
   }
-  verdict.cpu = (double(std::clock()) - start) / CLOCKS_PER_SEC;
+  verdict.cpu = base::cpu_seconds() - start;
   return verdict;
 }
 

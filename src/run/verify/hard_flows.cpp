@@ -66,7 +66,6 @@ reference_speed = "1e-2 m/s"
 )toml"));
   hydro::Fluid<2> fluid(scene, sph::fill<2>(scene));
   const double first = fluid.dt();
-  const auto before = fluid.steps();
   fluid.advance(100.0 - 0.01);
   const auto until = fluid.steps();
   fluid.advance(100.0);
@@ -74,8 +73,7 @@ reference_speed = "1e-2 m/s"
   double spread = 0.0;
   const base::Vec<2> mean = fluid.momentum() / (fluid.scales().mass * double(fluid.state().rows.fluid().size()));
   for (const auto i : fluid.state().rows.fluid()) spread = std::max(spread, (fluid.velocity(i) - mean).norm());
-  return {at_least("steps taken", double(until - before), 1.0),
-          at_least("first step over the last", first / last, 10.0),
+  return {at_least("first step over the last", first / last, 10.0),
           within("mean velocity over g t", mean[0] / 100.0, 1.0 - 1e-9, 1.0 + 1e-9),
           at_most("spread of velocities, of the mean", spread / mean.norm(), 1e-9)};
 }

@@ -15,6 +15,8 @@ std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& netw
       return std::make_unique<CompositionRejection>(network);
     case scene::Sampler::split:
       return std::make_unique<Split>(network);
+    case scene::Sampler::tau_leaping:
+      break;
   }
   throw base::InputError("unknown sampler");
 }

@@ -82,7 +82,8 @@ struct Domain {
 };
 
 // ---- chemistry -----------------------------------------------------------------------------------------------------
-enum class SpeciesMethod { deterministic, stochastic, automatic };  // automatic: rules decide before anything runs
+// langevin: smooth amounts with the noise of the chemical Langevin equation; automatic: rules decide before anything runs
+enum class SpeciesMethod { deterministic, stochastic, langevin, automatic };
 
 // A number or an expression. Expressions see x, y, z [m], t [s], every parameter (SI) and, in rate laws, every species by
 // name as a concentration [molecules/m^3].
@@ -96,6 +97,35 @@ struct Species {
   std::vector<int> homes;  // materials, ascending
   double diffusivity = 0;  // [m^2/s]
   SpeciesMethod method = SpeciesMethod::stochastic;
+  base::Location where{};
+  int compartment = -1;  // of a well-mixed scene, where it lives instead of `homes`
+};
+
+// Of a well-mixed scene, which has no particles: all of it is one well, in which each species has the volume of its
+// compartment.
+struct Compartment {
+  std::string name;
+  double volume = 0;  // [m^3]
+};
+
+// A name that stands for a formula, evaluated wherever it is read.
+struct Definition {
+  std::string name, expression;
+};
+
+// When `trigger` turns from false to true, and `delay` later, the assignments are made at once (SBML L3V2 section 4.11).
+struct Assignment {
+  std::string target, expression;  // a species or a parameter
+};
+struct Event {
+  std::string name;
+  std::string trigger;    // true where not zero
+  std::string delay;      // [s]; empty: none
+  std::string priority;   // of events at the same time the largest goes first; empty: whenever
+  bool initially = true;  // what the trigger counts as before the start
+  bool persistent = true; // made even if the trigger turns false before the delay is over
+  bool values_at_trigger = true;  // assignments are evaluated when the trigger turns true; else when they are made
+  std::vector<Assignment> assignments;
   base::Location where{};
 };
 
@@ -119,6 +149,8 @@ struct Reaction {
   double rate_constant = 0;     // [(molecules/m^3)^(1-m)/s], m = sum of reactant counts
   std::string expression;       // custom law for v [molecules/(m^3 s)], where not empty
   std::vector<int> materials;   // runs only in these; empty: wherever all its species live
+  std::array<int, 2> surface{-1, -1};  // runs where these two materials meet, between neighbouring voxels
+  bool per_volume = true;              // else the expression gives events per time [molecules/s], in a well-mixed scene
 };
 
 enum class BoundaryType { reflect, fixed, flux, absorb };
@@ -177,7 +209,7 @@ inline constexpr std::array<EffectKey, 7> effect_keys{{{"flow", &Effects::flow},
 // ---- how -----------------------------------------------------------------------------------------------------------
 enum class Kernel { lucy, cubic_spline, quintic_spline, wendland_c2 };
 enum class PressureForm { symmetric, difference };
-enum class Sampler { direct, composition_rejection, split };
+enum class Sampler { direct, composition_rejection, split, tau_leaping };
 enum class Splitting { lie, strang };
 enum class Limits { refuse, warn };  // what a run does that is beyond a limit that makes its result worthless
 
@@ -238,6 +270,9 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Region> regions;
   std::map<std::string, double> parameters;  // SI
+  std::vector<Compartment> compartments;  // not empty: the scene is well mixed and has no domain
+  std::vector<Definition> definitions;
+  std::vector<Event> events;
   std::vector<Species> species;
   std::vector<Initial> initials;
   std::vector<Reaction> reactions;

@@ -19,6 +19,9 @@ enum class Stream : std::uint32_t {
   diffusion_rounds = 5,  // uniformised diffusion: a = particle id, b = species
   voxel_reactions = 6,   // reactions of one voxel in one splitting step: a = particle id
   reservoir = 7,         // molecules that enter: a = particle id, b = species
+  leaps = 8,             // tau-leaping: a = particle id, b = half of the step
+  langevin_reactions = 9,  // noise of smooth amounts: a = particle id, b = stage
+  langevin_jumps = 10,   // of exchanges between voxels: a = particle id, b = species
   test = 1000,           // for the tests
 };
 

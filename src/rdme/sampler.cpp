@@ -16,6 +16,7 @@ std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& netw
     case scene::Sampler::split:
       return std::make_unique<Split>(network);
     case scene::Sampler::tau_leaping:
+    case scene::Sampler::automatic:
       break;
   }
   throw base::InputError("unknown sampler");

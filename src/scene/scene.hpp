@@ -209,7 +209,7 @@ inline constexpr std::array<EffectKey, 7> effect_keys{{{"flow", &Effects::flow},
 // ---- how -----------------------------------------------------------------------------------------------------------
 enum class Kernel { lucy, cubic_spline, quintic_spline, wendland_c2 };
 enum class PressureForm { symmetric, difference };
-enum class Sampler { direct, composition_rejection, split, tau_leaping };
+enum class Sampler { direct, composition_rejection, split, tau_leaping, automatic };  // automatic: rules decide
 enum class Splitting { lie, strang };
 enum class Limits { refuse, warn };  // what a run does that is beyond a limit that makes its result worthless
 
@@ -222,6 +222,8 @@ struct Numerics {
   Splitting splitting = Splitting::strang;
   std::optional<double> splitting_step;          // [s]; derived where absent
   double tolerance = 1e-6;                       // relative, of the deterministic chemistry
+  double leap_tolerance = 0.03;                  // epsilon of tau-leaping: relative change of a propensity in a leap
+  double splitting_tolerance = 1e-3;             // relative error of amounts that the derived splitting step may cost
   SpeciesMethod method = SpeciesMethod::stochastic;  // of species that name none
   Limits limits = Limits::refuse;
   std::optional<double> steady_tolerance;        // relative change of the flow per crossing time below which it is carried; absent: never

@@ -5,6 +5,7 @@
 
 #include "coupling/splitting.hpp"
 #include "rdme/network.hpp"
+#include "rdme/sampler.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::size_t most_places = 9;
 RateWatch::RateWatch(const scene::Scene& scene, const rdme::Network& network,
                      const std::vector<std::array<double, 3>>& places, double volume)
     : volume_(volume) {
-  if (!network.sampled_rates_change_in_time()) return;
+  if (!network.sampled_rates_change_in_time() || rdme::samples_events(scene.numerics.sampler)) return;
   const auto concentration = reference_concentrations(scene);
   for (const auto& reaction : network.reactions()) {
     if (!reaction.stochastic || !reaction.reads_time) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// Sampled rates that change in time stand at their mid-interval values during an interval. Intervals are therefore cut
-// until the rates change little in them; a jump is closed in on until hardly an event can fall beside it.
+// Methods that leap over events take rates that change in time at their mid-interval values. Intervals are therefore
+// cut until the rates change little in them; a jump is closed in on until hardly an event can fall beside it.
 #include <array>
 #include <vector>
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rdme/sampler.hpp"
+
 namespace shmoo::coupling {
 namespace {
 
@@ -89,7 +91,7 @@ std::vector<double> turnover(const scene::Scene& scene, const std::vector<double
 Step splitting_step(const scene::Scene& scene, const rdme::Network& network) {
   if (scene.numerics.splitting_step) return {*scene.numerics.splitting_step, "as given by numerics.splitting_step"};
   const bool split_sampler = scene.numerics.sampler == scene::Sampler::split && network.any_sampled();
-  const bool time_dependent = network.sampled_rates_change_in_time();
+  const bool time_dependent = network.sampled_rates_change_in_time() && !rdme::samples_events(scene.numerics.sampler);
   if (!split_sampler && !kinds_meet(network) && !time_dependent) {
     return {std::numeric_limits<double>::infinity(),
             "nothing is split: every process of this scene is advanced as one"};

@@ -36,6 +36,7 @@ Expression::Expression(const std::string& text, const ExpressionNames& names)
     if (formula_.uses(place_[s])) reads_.push_back(static_cast<int>(s));
   }
   reads_time_ = formula_.uses(3);
+  reads_place_ = formula_.uses(0) || formula_.uses(1) || formula_.uses(2);
 }
 
 void Expression::set_position(double x, double y, double z) {

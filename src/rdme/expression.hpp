@@ -23,6 +23,7 @@ class Expression {
 
   const std::vector<int>& reads() const { return reads_; }  // species, ascending
   bool reads_time() const { return reads_time_; }
+  bool reads_place() const { return reads_place_; }
 
   // Set what is read, then take the value. Concentrations in [molecules/m^3], by species.
   void set_concentration(int species, double value) { values_[place_[species]] = value; }
@@ -36,7 +37,7 @@ class Expression {
   std::vector<std::size_t> place_;  // by species
   scene::Expression formula_;
   std::vector<int> reads_;
-  bool reads_time_ = false;
+  bool reads_time_ = false, reads_place_ = false;
 };
 
 }  // namespace shmoo::rdme

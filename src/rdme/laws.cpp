@@ -21,6 +21,10 @@ Laws::Laws(const Network& network, bool sampled) {
     if (!reaction.expression.empty() && reaction.stochastic == sampled) {
       law.expression = static_cast<int>(expressions.size());
       expressions.emplace_back(reaction.expression, expression_names(network));
+      if (sampled && reaction.reads_time) {
+        law.timed = static_cast<int>(timed.size());
+        timed.emplace_back(reaction.expression, expression_names(network));
+      }
     }
     of_reaction.push_back(law);
   }

@@ -6,6 +6,7 @@
 
 #include "rdme/expression.hpp"
 #include "rdme/network.hpp"
+#include "rdme/time/timed_rate.hpp"
 
 namespace shmoo::rdme {
 
@@ -20,6 +21,7 @@ struct Law {
   int order = 0;                      // m
   std::uint32_t first = 0, last = 0;  // factors
   int expression = -1;                // index; -1: mass action
+  int timed = -1;                     // index where a sampled rate contains t
 };
 
 struct Laws {
@@ -28,6 +30,7 @@ struct Laws {
   std::vector<Law> of_reaction;
   std::vector<Factor> factors;
   std::vector<Expression> expressions;
+  std::vector<TimedRate> timed;
 };
 
 // V^(1-m), by the inverse volume [1/m^3].

@@ -1,6 +1,10 @@
 #pragma once
 // Propensities of sampled reactions (the law is in network.hpp). Holds compiled expressions: one object per sampler and
 // thread.
+//
+// Rates that contain t are sampled exactly by thinning (Lewis and Shedler 1979, Nav. Res. Logist. Q. 26, 403): a step
+// is cut into windows, in a window events are drawn at a bound of the rate, and one that is drawn at time t happens
+// with probability rate(t)/bound. Windows end where rates jump.
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +15,10 @@
 
 namespace shmoo::rdme {
 
+struct Window {
+  double from = 0, to = 0;
+};  // [s]
+
 class Propensities {
  public:
   explicit Propensities(const Network& network);
@@ -20,6 +28,17 @@ class Propensities {
 
   void set_time(double t);  // [s]; expressions are evaluated there
 
+  // Cuts the step from t to t + dt into windows in which the rates that contain t neither jump at a time that is the
+  // same everywhere nor change much. Where there are no such rates: one window, from 0 to dt.
+  const std::vector<Window>& windows(double t, double dt);
+  // From now on a rate that contains t is given by its bound in the window.
+  void set_window(const Window& window) { window_ = window; }
+  // Does an event that was drawn at the bound happen at time t? `rest` is uniform in [0, bound). True for a rate that
+  // does not contain t. Throws base::RunError where the rate is above its bound.
+  bool happens(int reaction, std::size_t voxel, double t, double rest, double bound) {
+    return laws_.of_reaction[reaction].timed < 0 || thin(reaction, voxel, t, rest, bound);
+  }
+
   // Events per second of a reaction in a voxel, at the numbers that the state holds now. Throws base::RunError, naming
   // the reaction, the voxel and the time, where the value is negative, infinite or not a number.
   double operator()(int reaction, std::size_t voxel) {
@@ -27,7 +46,7 @@ class Propensities {
     if (law.expression >= 0) return evaluate(reaction, voxel);
     double a = law.constant * available(law, voxel);
     if (law.order != 1) a *= volume_factor(law.order, volume_[voxel], inverse_volume_[voxel]);
-    if (!(a >= 0.0 && a <= 1e300)) refuse(reaction, voxel, a);
+    if (!(a >= 0.0 && a <= 1e300)) refuse(reaction, voxel, a, time_);
     return a;
   }
 
@@ -51,7 +70,19 @@ class Propensities {
   }
 
   double evaluate(int reaction, std::size_t voxel);
-  [[noreturn]] void refuse(int reaction, std::size_t voxel, double value) const;
+  double number(std::size_t voxel, int species) const;
+  bool thin(int reaction, std::size_t voxel, double t, double rest, double bound);
+  [[noreturn]] void refuse(int reaction, std::size_t voxel, double value, double t) const;
+
+  // A timed reaction where one looks at it to choose windows.
+  struct Lookout {
+    int reaction;
+    std::size_t voxel;
+  };
+  void place_lookouts();
+  void prepare(const Lookout& lookout);
+  void split(const Window& window, int depth);
+  bool calm(const Lookout& lookout, const Window& window);
 
   const Network& network_;
   Laws laws_;
@@ -62,6 +93,9 @@ class Propensities {
   const Voxels* voxels_ = nullptr;
   std::vector<double> inverse_volume_;
   double time_ = 0;
+  Window window_;
+  std::vector<Window> windows_;
+  std::vector<Lookout> lookouts_;
 };
 
 }  // namespace shmoo::rdme

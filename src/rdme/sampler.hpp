@@ -3,8 +3,8 @@
 //
 // All methods sample the same process: reactions (network.hpp), jumps along the rows of Voxels::graphs, exits to and
 // Poisson entries from what Voxels::exchanges names. `direct` and `composition_rejection` are exact; `split` takes
-// reactions and diffusion in turns (Strang) and is exact for either alone. Rate laws that contain t are evaluated in
-// the middle of each advance, so a step must be short against the time in which they change.
+// reactions and diffusion in turns (Strang) and is exact for either alone. These three sample rate laws that contain t
+// exactly, too (propensity.hpp).
 #include <cstdint>
 #include <memory>
 
@@ -42,6 +42,9 @@ class Sampler {
   // where a propensity is negative or not a number.
   virtual void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) = 0;
 };
+
+// Whether the method samples events one by one.
+inline bool samples_events(scene::Sampler method) { return method != scene::Sampler::tau_leaping; }
 
 // The network must outlive the sampler.
 std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& network);

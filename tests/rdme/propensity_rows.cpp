@@ -28,11 +28,12 @@ TEST_P(Rows, TotalsAndPicksAreThoseOfAPlainList) {
     const double total = std::accumulate(plain[voxel].begin(), plain[voxel].end(), 0.0);
     ASSERT_EQ(rows.total(voxel), total);
     if (total == 0.0) continue;
-    const double rest = random.uniform() * total;
+    double rest = random.uniform() * total, left = rest, beyond = total;
     std::size_t wanted = 0;
-    for (double left = rest; left >= plain[voxel][wanted]; ++wanted) left -= plain[voxel][wanted];
+    for (; left >= plain[voxel][wanted]; ++wanted) left -= plain[voxel][wanted];
     ASSERT_EQ(rows.pick(voxel, rest), wanted);
-    ASSERT_EQ(rows.pick(voxel, total), reactions);
+    ASSERT_NEAR(rest, left, 1e-9 * total);
+    ASSERT_EQ(rows.pick(voxel, beyond), reactions);
   }
 }
 

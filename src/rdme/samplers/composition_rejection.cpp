@@ -80,16 +80,25 @@ void CompositionRejection::species_changed(std::uint32_t voxel, int species) {
 
 void CompositionRejection::advance(double t, double dt, Process process, const base::RandomKey& key,
                                    std::uint64_t step) {
-  propensities_.set_time(t + 0.5 * dt);
-  if (process != process_ || network_.sampled_rates_change_in_time()) derived_ = false;
+  if (process != process_) derived_ = false;
   process_ = process;
   diffusion_ = process != Process::reactions;
   reaction_ = process != Process::diffusion && network_.any_sampled();
-  if (!derived_) derive_all();
   AttemptSequence sequence(key, base::Stream::stochastic_exact, step);
+  for (const Window& window : propensities_.windows(t, dt)) {
+    propensities_.set_window(window);
+    if (!derived_ || network_.sampled_rates_change_in_time()) derive_all();
+    pass(window, sequence);
+  }
+  close_books();
+}
+
+// All events of a window.
+void CompositionRejection::pass(const Window& window, AttemptSequence& sequence) {
   Attempts attempts;
   Look look;
-  for (double left = dt; left > 0 && groups_.sum() > 0;) {
+  end_ = window.to;
+  for (double left = window.to - window.from; left > 0 && groups_.sum() > 0;) {
     if (look.from == 0) sequence.next(attempts);
     look_ahead(attempts, left, look);
     left = look.left[look.to - 1];
@@ -97,6 +106,7 @@ void CompositionRejection::advance(double t, double dt, Process process, const b
     for (std::uint64_t bits = look.accepted; bits != 0; bits &= bits - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(bits));
       const std::uint32_t voxel = std::exchange(look.voxel[k], nobody);
+      left_ = look.left[k];
       const std::uint32_t other = fire(voxel, look.rest[k], attempts.word[k], look.target[k]);
       if (look.version == groups_.version() && !touched(look, voxel, other)) continue;
       left = look.left[k];
@@ -104,7 +114,6 @@ void CompositionRejection::advance(double t, double dt, Process process, const b
       break;
     }
   }
-  close_books();
 }
 
 // Picks, decisions and the memory that they will need. What lies beyond the end of the step is left out.
@@ -175,7 +184,7 @@ std::uint32_t CompositionRejection::fire(std::uint32_t voxel, double rest, std::
   }
   if (!reaction_) return voxel;  // round-off at the end of a sum: nothing happens
   const std::size_t reaction = rows_.pick(voxel, rest);
-  if (reaction < reactions_) react(voxel, static_cast<int>(reaction));
+  if (reaction < reactions_) react(voxel, static_cast<int>(reaction), rest);
   return voxel;
 }
 
@@ -194,7 +203,10 @@ std::uint32_t CompositionRejection::jump(std::uint32_t voxel, int species, std::
   return target;
 }
 
-void CompositionRejection::react(std::uint32_t voxel, int reaction) {
+// `rest` is uniform below the reaction's propensity.
+void CompositionRejection::react(std::uint32_t voxel, int reaction, double rest) {
+  const double bound = rows_.value(voxel, std::size_t(reaction));
+  if (!propensities_.happens(reaction, voxel, end_ - left_, rest, bound)) return;
   change_numbers(*state_, network_, network_.reactions()[reaction], voxel);
   ++events_[reaction];
   for (int r : network_.after_reaction(reaction, voxels_->material[voxel])) {

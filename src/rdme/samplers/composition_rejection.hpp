@@ -41,7 +41,8 @@ class CompositionRejection final : public Sampler {
   bool touched(const Look& look, std::uint32_t voxel, std::uint32_t other) const;
   std::uint32_t fire(std::uint32_t voxel, double rest, std::uint32_t word, std::uint32_t guess);
   std::uint32_t jump(std::uint32_t voxel, int species, std::uint32_t target);
-  void react(std::uint32_t voxel, int reaction);
+  void react(std::uint32_t voxel, int reaction, double rest);
+  void pass(const Window& window, AttemptSequence& sequence);
   void close_books();
 
   const Network& network_;
@@ -61,6 +62,7 @@ class CompositionRejection final : public Sampler {
   std::int64_t* count_ = nullptr;
   PropensityRows rows_;
   std::vector<std::int64_t> events_;  // by reaction, of this advance
+  double end_ = 0, left_ = 0;         // [s] of the window, and from the event at hand to its end
 };
 
 }  // namespace shmoo::rdme

@@ -42,23 +42,32 @@ double Direct::propensity(const Channel& channel) {
 
 void Direct::advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) {
   base::RandomSequence random(key, base::Stream::stochastic_exact, step);
-  propensities_.set_time(t + 0.5 * dt);
-  const std::size_t voxels = first_.size() - 1;
+  process_ = process;
   value_.assign(channels_.size(), 0.0);
-  total_.assign(voxels, 0.0);
-  const auto refresh = [&](std::size_t voxel) {
-    total_[voxel] = 0;
-    for (std::size_t c = first_[voxel]; c < first_[voxel + 1]; ++c) {
-      const bool reaction = channels_[c].kind == Kind::reaction;
-      if (process != (reaction ? Process::diffusion : Process::reactions)) value_[c] = propensity(channels_[c]);
-      total_[voxel] += value_[c];
-    }
-  };
-  for (std::size_t i = 0; i < voxels; ++i) refresh(i);
-  for (const double end = t + dt;;) {
+  total_.assign(first_.size() - 1, 0.0);
+  for (const Window& window : propensities_.windows(t, dt)) {
+    propensities_.set_window(window);
+    for (std::size_t i = 0; i < total_.size(); ++i) refresh(i);
+    pass(window, random);
+  }
+}
+
+void Direct::refresh(std::size_t voxel) {
+  total_[voxel] = 0;
+  for (std::size_t c = first_[voxel]; c < first_[voxel + 1]; ++c) {
+    const bool reaction = channels_[c].kind == Kind::reaction;
+    if (process_ != (reaction ? Process::diffusion : Process::reactions)) value_[c] = propensity(channels_[c]);
+    total_[voxel] += value_[c];
+  }
+}
+
+// All events of a window.
+void Direct::pass(const Window& window, base::RandomSequence& random) {
+  const std::size_t voxels = total_.size();
+  for (double t = window.from;;) {
     double sum = 0;
     for (double one : total_) sum += one;
-    if (sum <= 0 || (t += random.exponential() / sum) > end) return;
+    if (sum <= 0 || (t += random.exponential() / sum) > window.to) return;
     double rest = random.uniform() * sum;
     std::size_t voxel = 0;
     while (voxel + 1 < voxels && rest >= total_[voxel]) rest -= total_[voxel++];
@@ -66,9 +75,11 @@ void Direct::advance(double t, double dt, Process process, const base::RandomKey
     while (c + 1 < first_[voxel + 1] && rest >= value_[c]) rest -= value_[c++];
     // Round-off at the end of a sum may point at a channel that cannot fire.
     if (c == first_[voxel + 1] || value_[c] <= 0) continue;
-    fire(channels_[c]);
+    const Channel& channel = channels_[c];
+    if (channel.kind == Kind::reaction && !propensities_.happens(channel.index, voxel, t, rest, value_[c])) continue;
+    fire(channel);
     refresh(voxel);
-    if (channels_[c].kind == Kind::jump) refresh(channels_[c].target);
+    if (channel.kind == Kind::jump) refresh(channel.target);
   }
 }
 

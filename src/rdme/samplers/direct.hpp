@@ -29,6 +29,8 @@ class Direct final : public Sampler {
   };
 
   double propensity(const Channel& channel);
+  void refresh(std::size_t voxel);
+  void pass(const Window& window, base::RandomSequence& random);
   void fire(const Channel& channel);
 
   const Network& network_;
@@ -37,6 +39,7 @@ class Direct final : public Sampler {
   std::vector<Channel> channels_;      // ascending by voxel
   std::vector<std::size_t> first_;     // [voxels + 1] a voxel's channels
   std::vector<double> value_, total_;  // by channel, by voxel
+  Process process_ = Process::both;
 };
 
 }  // namespace shmoo::rdme

@@ -25,12 +25,15 @@ class PropensityRows {
     sum_[voxel * blocks_ + block] = add(row + block * width, width);
   }
 
+  double value(std::size_t voxel, std::size_t reaction) const { return value_[voxel * stride_ + reaction]; }
+
   double total(std::size_t voxel) const {
     return blocks_ > 1 ? add(sum_.data() + voxel * blocks_, blocks_) : add(value_.data() + voxel * stride_, stride_);
   }
 
-  // The reaction that holds `rest`, or where round-off has left none the number of reactions.
-  std::size_t pick(std::size_t voxel, double rest) const {
+  // The reaction that holds `rest`, or where round-off has left none the number of reactions. Leaves in `rest` what is
+  // beyond the reactions before it.
+  std::size_t pick(std::size_t voxel, double& rest) const {
     const double* const row = value_.data() + voxel * stride_;
     std::size_t r = 0;
     if (blocks_ > 1) {

@@ -40,23 +40,23 @@ void Split::advance(double t, double dt, Process process, const base::RandomKey&
 
 void Split::react(double t, double dt, const Address& address, std::uint32_t half) {
   if (!network_.any_sampled()) return;
-  propensities_.set_time(t + 0.5 * dt);
+  const auto& windows = propensities_.windows(t, dt);
   const auto size = static_cast<std::uint32_t>(voxels_->size());
   for (std::uint32_t begin = 0; begin < size; begin += voxels_per_sequence) {
     base::RandomSequence random(address.key, base::Stream::voxel_reactions, address.step, begin, half);
     for (std::uint32_t i = begin; i < std::min(size, begin + voxels_per_sequence); ++i) {
-      double sum = 0;
-      for (int r : network_.sampled_in(voxels_->material[i])) sum += value_[r] = propensities_(r, i);
-      if (sum > 0) react(i, dt, random, sum);
+      for (const Window& window : windows) react(i, window, random);
     }
   }
 }
 
-// `value_` holds the voxel's propensities, and `sum` their sum.
-void Split::react(std::uint32_t voxel, double dt, base::RandomSequence& random, double sum) {
+void Split::react(std::uint32_t voxel, const Window& window, base::RandomSequence& random) {
   const std::uint16_t material = voxels_->material[voxel];
   const std::span<const int> running = network_.sampled_in(material);
-  for (double left = dt; sum > 0 && (left -= random.exponential() / sum) > 0;) {
+  propensities_.set_window(window);
+  double sum = 0;
+  for (int r : running) sum += value_[r] = propensities_(r, voxel);
+  for (double left = window.to - window.from; sum > 0 && (left -= random.exponential() / sum) > 0;) {
     double rest = random.uniform() * sum;
     int fires = -1;
     for (int r : running) {
@@ -65,6 +65,7 @@ void Split::react(std::uint32_t voxel, double dt, base::RandomSequence& random, 
       if (rest < value_[r]) break;
       rest -= value_[r];
     }
+    if (!propensities_.happens(fires, voxel, window.to - left, rest, value_[fires])) continue;
     change_numbers(*state_, network_, network_.reactions()[fires], voxel);
     ++events_[fires];
     for (int r : network_.after_reaction(fires, material)) value_[r] = propensities_(r, voxel);

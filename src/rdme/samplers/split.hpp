@@ -23,7 +23,7 @@ class Split final : public Sampler {
 
  private:
   void react(double t, double dt, const Address& address, std::uint32_t half);
-  void react(std::uint32_t voxel, double dt, base::RandomSequence& random, double sum);
+  void react(std::uint32_t voxel, const Window& window, base::RandomSequence& random);
 
   const Network& network_;
   Propensities propensities_;

@@ -1,72 +1,28 @@
 #include "rdme/samplers/uniformised.hpp"
 
-#include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
-#include <bit>
 #include <boost/math/special_functions/gamma.hpp>
 #include <limits>
-#include <numeric>
-#include <span>
 #include <utility>
-
-#ifdef __AVX512F__
-#include <immintrin.h>
-#endif
 
 #include "base/error.hpp"
 
 namespace shmoo::rdme {
 namespace {
 
-constexpr std::int64_t few = 512;        // molecules of a voxel that are moved one by one
-constexpr double least_chance = 0x1p-9;  // below it 32 bits are too coarse for a yes or no
-constexpr double sparse = 10;            // molecules per occupied voxel that go on, up to which they walk
-constexpr double short_walk = 4;         // moves
-constexpr std::size_t batch = 256;       // words
+constexpr std::int64_t worth_threads = 20000;  // molecules that move
 
-// How many words lie below the threshold.
-std::size_t below(std::span<const std::uint32_t> words, std::uint32_t threshold) {
-  std::size_t number = 0;
-#ifdef __AVX512F__
-  for (std::size_t k = 0; k < words.size(); k += 16) {
-    const std::size_t rest = words.size() - k;
-    const auto lanes = static_cast<__mmask16>(rest < 16 ? (1U << rest) - 1U : 0xFFFFU);
-    const __m512i some = _mm512_maskz_loadu_epi32(lanes, words.data() + k);
-    const __m512i limit = _mm512_set1_epi32(static_cast<int>(threshold));
-    number += static_cast<std::size_t>(std::popcount(unsigned{_mm512_mask_cmplt_epu32_mask(lanes, some, limit)}));
-  }
-#else
-  for (const std::uint32_t word : words) number += word < threshold ? 1U : 0U;
-#endif
-  return number;
-}
+// What work costs [ns], measured, where rows are `blocks` long: each move of a molecule that walks to its end, a
+// molecule that makes one move among its voxel's, a voxel that is moved in counts.
+struct Costs {
+  explicit Costs(double blocks) : walk(1 + 4 * blocks), single(4 + 1.5 * blocks), row(50 + 300 * blocks) {}
+  double walk, single, row;
+};
+constexpr double rounds_after = 6;  // the last molecules make about this many moves more than the mean
 
 }  // namespace
-
-// Words of a sequence in the order in which they are taken.
-class UniformisedDiffusion::WordStream {
- public:
-  explicit WordStream(const base::RandomSequence& random) : random_(random) {}
-  base::RandomSequence& sequence() { return random_; }
-  std::span<const std::uint32_t> take(std::size_t count) {  // at most `few`; valid until the next take
-    if (ready_ - at_ < count) refill(count);
-    at_ += count;
-    return {words_ + at_ - count, count};
-  }
-
- private:
-  void refill(std::size_t count) {
-    std::copy(words_ + at_, words_ + ready_, words_);
-    ready_ -= std::exchange(at_, 0);
-    const std::size_t more = std::max(batch, (count + batch - 1) / batch * batch);
-    random_.fill(words_ + ready_, more / 4);
-    ready_ += more;
-  }
-  base::RandomSequence random_;
-  std::size_t at_ = 0, ready_ = 0;
-  alignas(64) std::uint32_t words_[2 * few + 2 * batch];
-};
 
 void UniformisedDiffusion::Chances::set(double to) {
   if (to == mean) return;
@@ -83,43 +39,35 @@ void UniformisedDiffusion::Chances::set(double to) {
 }
 
 void UniformisedDiffusion::advance(const JumpTables& tables, double dt, const Address& address, State& state) {
-  const std::size_t stride = state.species, voxels = stride > 0 ? state.count.size() / stride : 0;
+  const auto stride = static_cast<std::uint32_t>(state.species);
+  const auto voxels = static_cast<std::uint32_t>(stride > 0 ? state.count.size() / stride : 0);
   chances_.resize(stride);
-  resting_.resize(voxels + 1);
   active_.assign(voxels + 1, 0);
-  next_.assign(voxels + 1, 0);
   for (std::uint32_t s = 0; s < stride; ++s) {
-    const bool moves = tables.of_species[s] != nullptr;
-    if (!moves && tables.entry_rate.empty()) continue;
-    Walk walk{tables.of_species[s].get(), &address, s, static_cast<std::uint32_t>(stride), voxels, 0, 0};
-    if (moves) chances_[s].set(tables.uniform_rate[s] * dt);
-    std::fill(resting_.begin(), resting_.end(), 0);
-    bool any = moves && take_counts(state, s, voxels);
-    if (any) rounds(walk, base::Stream::diffusion_rounds, chances_[s].resident);
-    if (take_entries(tables, dt, walk, state)) {
-      if (moves) {
-        rounds(walk, base::Stream::reservoir, chances_[s].entrant);
-      } else {
-        for (std::size_t i = 0; i < voxels; ++i) state.count[i * stride + s] += std::exchange(active_[i], 0);
-        continue;
-      }
-      any = true;
+    const Walk walk{tables.of_species[s].get(), &address, s, stride, voxels};
+    if (!walk.table) {
+      if (take_entries(tables, dt, walk, state) == 0) continue;
+      for (std::size_t i = 0; i < voxels; ++i) state.count[i * stride + s] += std::exchange(active_[i], 0);
+      continue;
     }
-    if (!any) continue;
-    for (std::size_t i = 0; i < voxels; ++i) state.count[i * stride + s] = resting_[i];
-    state.jump_events += static_cast<std::uint64_t>(walk.jumps);
-    state.ledger.counts[s].left += walk.exits;
+    chances_[s].set(tables.uniform_rate[s] * dt);
+    const std::int64_t residents = take_counts(state, s, voxels);
+    start_lanes(residents, voxels);
+    if (residents > 0) rounds(walk, base::Stream::diffusion_rounds, chances_[s].resident);
+    const std::int64_t entrants = take_entries(tables, dt, walk, state);
+    if (entrants > 0) rounds(walk, base::Stream::reservoir, chances_[s].entrant);
+    if (residents > 0 || entrants > 0) close(walk, state);
   }
 }
 
-bool UniformisedDiffusion::take_counts(const State& state, std::uint32_t species, std::size_t voxels) {
+std::int64_t UniformisedDiffusion::take_counts(const State& state, std::uint32_t species, std::uint32_t voxels) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < voxels; ++i) sum += active_[i] = state.count[i * state.species + species];
-  return sum > 0;
+  return sum;
 }
 
-bool UniformisedDiffusion::take_entries(const JumpTables& tables, double dt, Walk& walk, State& state) {
-  if (tables.entry_rate.empty()) return false;
+std::int64_t UniformisedDiffusion::take_entries(const JumpTables& tables, double dt, const Walk& walk, State& state) {
+  if (tables.entry_rate.empty()) return 0;
   std::int64_t sum = 0;
   for (std::uint32_t i = 0; i < walk.voxels; ++i) {
     const double rate = tables.entry_rate[i * std::size_t{walk.stride} + walk.species];
@@ -128,122 +76,106 @@ bool UniformisedDiffusion::take_entries(const JumpTables& tables, double dt, Wal
     sum += active_[i] = base::poisson(random, rate * dt);
   }
   state.ledger.counts[walk.species].entered += sum;
-  return sum > 0;
+  return sum;
 }
 
-void UniformisedDiffusion::rounds(Walk& walk, base::Stream stream, const std::vector<double>& at_least) {
+void UniformisedDiffusion::start_lanes(std::int64_t molecules, std::uint32_t voxels) {
+  threads_ = molecules < worth_threads ? 1 : static_cast<std::size_t>(omp_get_max_threads());
+  if (lanes_.size() < threads_) lanes_.resize(threads_);
+  for (std::size_t k = 0; k < threads_; ++k) {
+    lanes_[k].resting.resize(voxels + 1);
+    lanes_[k].next.resize(voxels + 1);
+  }
+}
+
+void UniformisedDiffusion::rounds(const Walk& walk, base::Stream stream, const std::vector<double>& at_least) {
   std::uint32_t number = 0;
-  for (;;) {
-    further_.clear();  // P(K >= number + j)/P(K >= number), j = 1, 2, ...
-    thresholds_.clear();
+  do {
+    std::vector<double> further;  // P(K >= number + j)/P(K >= number), j = 1, 2, ...
     for (std::size_t r = number + std::size_t{1}; r < at_least.size(); ++r) {
       if (at_least[r] < 0x1p-64 * at_least[number]) break;
-      further_.push_back(at_least[r] / at_least[number]);
-      thresholds_.push_back(static_cast<std::uint32_t>(further_.back() * 0x1p32 * (1 - 0x1p-33)));
+      further.push_back(at_least[r] / at_least[number]);
     }
-    further_.push_back(0.0);
-    thresholds_.push_back(0);
+    further.push_back(0.0);
+    moves_.set(std::move(further));
+    choose_way(*walk.table);
     if (std::uint64_t{++number} * walk.stride + walk.species > std::numeric_limits<std::uint32_t>::max()) {
       throw base::RunError(
           "a molecule makes more moves in one splitting step than random numbers are addressed for; take a "
           "shorter step");
     }
-    walk_out_ = walking_pays();
     round(walk, stream, number);
-    std::swap(active_, next_);
-    walk.exits += std::exchange(active_[walk.voxels], 0);
-    if (std::ranges::all_of(active_, [](std::int64_t n) { return n == 0; })) break;
-  }
-  walk.exits += std::exchange(resting_[walk.voxels], 0);
+  } while (gather());
 }
 
-// Walking costs more per move than moving a voxel's molecules by its one row, but less per voxel and round. Among many
-// molecules, which move in counts, only the last moves are worth walking.
-bool UniformisedDiffusion::walking_pays() const {
-  std::int64_t sum = 0, most = 0, occupied = 0;
+// Do all walk to their end, or make one move? Where many share a voxel rounds are cheaper, as molecules meet again in
+// each.
+void UniformisedDiffusion::choose_way(const JumpTable& table) {
+  const Costs costs(table.mean_blocks());
+  double walking = 0, round = 0;
   for (const std::int64_t n : active_) {
-    sum += n;
-    most = std::max(most, n);
-    occupied += n > 0 ? 1 : 0;
+    walking += (1 + costs.walk * moves_.mean) * static_cast<double>(n);
+    round += std::min(costs.row, costs.single * static_cast<double>(n));
   }
-  if (double(sum) * further_.front() > sparse * double(occupied)) return false;
-  return most <= few || std::accumulate(further_.begin(), further_.end(), 0.0) < short_walk;
+  walk_out_ = walking <= round * (moves_.mean + rounds_after);
+  many_ = costs.row / costs.single;
 }
 
-void UniformisedDiffusion::round(Walk& walk, base::Stream stream, std::uint32_t number) {
-  for (std::uint32_t begin = 0; begin < walk.voxels; begin += voxels_per_sequence) {
-    WordStream words({walk.address->key, stream, walk.address->step, begin, number * walk.stride + walk.species});
-    const auto end =
-        static_cast<std::uint32_t>(std::min<std::size_t>(walk.voxels, std::size_t{begin} + voxels_per_sequence));
-    for (std::uint32_t i = begin; i < end; ++i) {
-      if (active_[i] == 0) continue;
-      if (active_[i] > few) {
-        move_many(walk, i, words.sequence(), further_.front());
-      } else if (walk_out_) {
-        walk_out(walk, i, words);
-      } else {
-        move_few(walk, i, words);
-      }
-      active_[i] = 0;
-    }
+void UniformisedDiffusion::round(const Walk& walk, base::Stream stream, std::uint32_t number) {
+  const std::uint32_t address = number * walk.stride + walk.species;
+  const auto groups = (walk.voxels + voxels_per_sequence - 1) / voxels_per_sequence;
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_)) if (threads_ > 1)
+  for (std::uint32_t g = 0; g < groups; ++g) {
+    const std::uint32_t begin = g * voxels_per_sequence;
+    move_group(walk, {walk.address->key, stream, walk.address->step, begin, address}, begin,
+               lanes_[static_cast<std::size_t>(omp_get_thread_num())]);
   }
 }
 
-// How many of `here` molecules make at least one, two, ... further moves, down to none.
-void UniformisedDiffusion::count_moves(std::size_t here, WordStream& words) {
-  going_.clear();
-  if (further_.front() < least_chance) {  // too rare for thresholds of 32 bits
-    auto left = static_cast<std::int64_t>(here);
-    for (std::size_t j = 0; left > 0; ++j) {
-      left = base::binomial(words.sequence(), left, j == 0 ? further_[0] : further_[j] / further_[j - 1]);
-      going_.push_back(static_cast<std::size_t>(left));
+void UniformisedDiffusion::move_group(const Walk& walk, const base::RandomSequence& random, std::uint32_t begin,
+                                      Lane& lane) {
+  const auto end = std::min(walk.voxels, begin + voxels_per_sequence);
+  lane.words.open(random);
+  lane.walkers.start(*walk.table, walk.voxels, moves_, lane.words, lane.resting.data());
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (active_[i] == 0) continue;
+    if (walk_out_) {
+      lane.walkers.add(i, active_[i]);
+    } else if (static_cast<double>(active_[i]) > many_) {
+      move_many(walk, i, lane);
+    } else {
+      move_few(walk, i, lane);
     }
-    return;
+    active_[i] = 0;
   }
-  const auto chosen = words.take(here);
-  for (std::size_t j = 0; j == 0 || going_.back() > 0; ++j) going_.push_back(below(chosen, thresholds_[j]));
-}
-
-// A few molecules make all their further moves at once. How many make a j-th one is all that is asked of their numbers
-// of moves: molecules of one voxel are alike, so the first so many of them go on.
-void UniformisedDiffusion::walk_out(Walk& walk, std::uint32_t voxel, WordStream& words) {
-  const auto here = static_cast<std::size_t>(active_[voxel]);
-  count_moves(here, words);
-  resting_[voxel] += static_cast<std::int64_t>(here - going_[0]);
-  std::uint32_t place[few];
-  std::fill(place, place + going_[0], voxel);
-  std::int64_t jumps = 0;
-  for (std::size_t j = 0; going_[j] > 0; ++j) {
-    const auto chosen = words.take(going_[j]);
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      const std::uint32_t from = place[k], to = walk.table->target(from, chosen[k]);
-      place[k] = to;
-      jumps += to != from && to != walk.voxels ? 1 : 0;
-    }
-    for (std::size_t k = going_[j + 1]; k < going_[j]; ++k) ++resting_[place[k]];
-  }
-  walk.jumps += jumps;
+  lane.walkers.finish();
 }
 
 // One move of a few molecules, which may go on among many.
-void UniformisedDiffusion::move_few(Walk& walk, std::uint32_t voxel, WordStream& words) {
+void UniformisedDiffusion::move_few(const Walk& walk, std::uint32_t voxel, Lane& lane) {
   const auto here = static_cast<std::size_t>(active_[voxel]);
-  const double chance = further_.front();
-  const std::size_t going = chance < least_chance
-                                ? static_cast<std::size_t>(base::binomial(words.sequence(), active_[voxel], chance))
-                                : below(words.take(here), thresholds_.front());
-  resting_[voxel] += static_cast<std::int64_t>(here - going);
-  std::int64_t* const next = next_.data();
-  const JumpTable& table = *walk.table;
-  const std::int64_t unmoved = next[voxel] + next[walk.voxels];
-  for (const std::uint32_t word : words.take(going)) ++next[table.target(voxel, word)];
-  walk.jumps += static_cast<std::int64_t>(going) - (next[voxel] + next[walk.voxels] - unmoved);
+  std::size_t going = 0;
+  if (moves_.rare) {
+    going = static_cast<std::size_t>(base::binomial(lane.words.sequence(), active_[voxel], moves_.at_least.front()));
+  } else {
+    const std::uint32_t threshold = moves_.thresholds.front();
+    for (const std::uint32_t word : lane.words.take(here)) going += word < threshold ? 1U : 0U;
+  }
+  lane.resting[voxel] += static_cast<std::int64_t>(here - going);
+  lane.more = lane.more || going > 0;
+  std::int64_t* const next = lane.next.data();
+  const std::int64_t unmoved = next[voxel];
+  for (const std::uint32_t word : lane.words.take(going)) ++next[walk.table->target(voxel, word)];
+  lane.jumps += static_cast<std::int64_t>(going) - (next[voxel] - unmoved) - next[walk.voxels];
+  lane.resting[walk.voxels] += std::exchange(next[walk.voxels], 0);
 }
 
 // One binomial number for all that go on, then one for each entry of the row.
-void UniformisedDiffusion::move_many(Walk& walk, std::uint32_t voxel, base::RandomSequence& random, double chance) {
-  std::int64_t left = base::binomial(random, active_[voxel], chance);
-  resting_[voxel] += active_[voxel] - left;
+void UniformisedDiffusion::move_many(const Walk& walk, std::uint32_t voxel, Lane& lane) {
+  base::RandomSequence& random = lane.words.sequence();
+  std::int64_t left = base::binomial(random, active_[voxel], moves_.at_least.front());
+  lane.resting[voxel] += active_[voxel] - left;
+  lane.more = lane.more || left > 0;
   double below = 0;  // of 2^32
   for (const JumpTable::Block& block : walk.table->row(voxel)) {
     for (int k = 0; k < 8 && left > 0; ++k) {
@@ -252,9 +184,42 @@ void UniformisedDiffusion::move_many(Walk& walk, std::uint32_t voxel, base::Rand
       const std::int64_t there = base::binomial(random, left, (up_to - below) / (0x1p32 - below));
       below = up_to;
       left -= there;
-      next_[block.target[k]] += there;
-      if (block.target[k] != voxel && block.target[k] != walk.voxels) walk.jumps += there;
+      const std::uint32_t target = block.target[k];
+      (target == walk.voxels ? lane.resting : lane.next)[target] += there;
+      if (target != voxel && target != walk.voxels) lane.jumps += there;
     }
+  }
+}
+
+// Whom the next round moves, if any.
+bool UniformisedDiffusion::gather() {
+  bool any = false;
+  for (std::size_t k = 0; k < threads_; ++k) {
+    Lane& lane = lanes_[k];
+    if (!std::exchange(lane.more, false)) continue;
+    if (!std::exchange(any, true)) {
+      std::swap(active_, lane.next);
+    } else {
+      for (std::size_t i = 0; i < active_.size(); ++i) active_[i] += std::exchange(lane.next[i], 0);
+    }
+  }
+  return any;
+}
+
+void UniformisedDiffusion::close(const Walk& walk, State& state) {
+  std::int64_t* const count = state.count.data() + walk.species;
+  const auto voxels = static_cast<std::ptrdiff_t>(walk.voxels);
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_)) if (threads_ > 1)
+  for (std::ptrdiff_t i = 0; i < voxels; ++i) {
+    std::int64_t sum = 0;
+    for (std::size_t k = 0; k < threads_; ++k) sum += std::exchange(lanes_[k].resting[static_cast<std::size_t>(i)], 0);
+    count[i * walk.stride] = sum;
+  }
+  for (std::size_t k = 0; k < threads_; ++k) {
+    Lane& lane = lanes_[k];
+    state.jump_events +=
+        static_cast<std::uint64_t>(std::exchange(lane.jumps, 0) + std::exchange(lane.walkers.jumps, 0));
+    state.ledger.counts[walk.species].left += std::exchange(lane.resting[walk.voxels], 0);
   }
 }
 

@@ -3,14 +3,15 @@
 // Aktuarietidskr. 36, 87). Molecules are independent walkers with jump generator Q. With L the largest total rate of
 // any row, each makes K ~ Poisson(L dt) moves of the chain 1 + Q/L. Where a voxel holds many molecules, these move in
 // rounds, in counts: in round r a molecule goes on with the probability P(K >= r)/P(K >= r - 1) and moves by its
-// voxel's row. Where voxels hold few, each molecule makes all its further moves at
-// once. Rounds end when all have come to rest. Exits lead to a row outside.
+// voxel's row. Where a voxel holds few, each molecule makes all its further moves at once (walkers.hpp). Rounds end
+// when all have come to rest. Exits lead to a row outside.
 //
 // Molecules that enter do so in Poisson numbers at uniform times u and walk for dt - u. Averaged over u their moves
 // obey P(K >= r) = E[max(0, M - r)]/(L dt), M ~ Poisson(L dt), so they make rounds of their own with these
 // probabilities.
 //
-// Random numbers are addressed by (stream, step, group of voxels, round and species). The cost of a round does not grow
+// Random numbers are addressed by (stream, step, group of voxels, round and species); groups are shared out among the
+// threads, whose whole numbers are added up in the end. The cost of a round does not grow
 // with counts where these are large. The work per molecule is L dt moves, so one voxel whose rates tower above all
 // others slows all.
 #include <cstdint>
@@ -18,6 +19,7 @@
 
 #include "base/random.hpp"
 #include "rdme/jump_table.hpp"
+#include "rdme/samplers/walkers.hpp"
 #include "rdme/state.hpp"
 
 namespace shmoo::rdme {
@@ -37,7 +39,6 @@ class UniformisedDiffusion {
   void advance(const JumpTables& tables, double dt, const Address& address, State& state);
 
  private:
-  class WordStream;
   // P(K >= r), r = 0, 1, ..., at mean number of moves `mean`.
   struct Chances {
     double mean = -1;
@@ -49,26 +50,36 @@ class UniformisedDiffusion {
     const JumpTable* table;
     const Address* address;
     std::uint32_t species, stride;  // of the state
-    std::size_t voxels;
-    std::int64_t jumps = 0, exits = 0;
+    std::uint32_t voxels;
+  };
+  // What one thread moves.
+  struct Lane {
+    std::vector<std::int64_t> resting, next;  // by voxel, and outside: molecules at rest, and of the next round
+    Walkers walkers;
+    WordStream words;
+    bool more = false;  // is there a next round?
+    std::int64_t jumps = 0;
   };
 
-  bool take_counts(const State& state, std::uint32_t species, std::size_t voxels);
-  bool take_entries(const JumpTables& tables, double dt, Walk& walk, State& state);
-  void rounds(Walk& walk, base::Stream stream, const std::vector<double>& at_least);
-  void round(Walk& walk, base::Stream stream, std::uint32_t number);
-  void count_moves(std::size_t here, WordStream& words);
-  bool walking_pays() const;
-  void move_few(Walk& walk, std::uint32_t voxel, WordStream& words);
-  void walk_out(Walk& walk, std::uint32_t voxel, WordStream& words);
-  void move_many(Walk& walk, std::uint32_t voxel, base::RandomSequence& random, double chance);
+  std::int64_t take_counts(const State& state, std::uint32_t species, std::uint32_t voxels);
+  std::int64_t take_entries(const JumpTables& tables, double dt, const Walk& walk, State& state);
+  void start_lanes(std::int64_t molecules, std::uint32_t voxels);
+  void rounds(const Walk& walk, base::Stream stream, const std::vector<double>& at_least);
+  void choose_way(const JumpTable& table);
+  void round(const Walk& walk, base::Stream stream, std::uint32_t number);
+  void move_group(const Walk& walk, const base::RandomSequence& random, std::uint32_t begin, Lane& lane);
+  void move_few(const Walk& walk, std::uint32_t voxel, Lane& lane);
+  void move_many(const Walk& walk, std::uint32_t voxel, Lane& lane);
+  bool gather();
+  void close(const Walk& walk, State& state);
 
-  std::vector<Chances> chances_;                       // by species
-  std::vector<std::int64_t> resting_, active_, next_;  // by voxel, and outside
-  std::vector<double> further_;                        // of the round: chance of a first, second, ... further move
-  std::vector<std::size_t> going_;         // of the voxel: molecules that make a first, second, ... further move
-  bool walk_out_ = false;                  // in this round
-  std::vector<std::uint32_t> thresholds_;  // the same, of 2^32
+  std::vector<Chances> chances_;      // by species
+  std::vector<std::int64_t> active_;  // by voxel, and outside: molecules that move in this round
+  std::vector<Lane> lanes_;           // of all threads
+  std::size_t threads_ = 1;           // of this species and step
+  Moves moves_;                       // of this round
+  double many_ = 0;                   // molecules of a voxel beyond which they move in counts
+  bool walk_out_ = true;              // in this round all molecules walk to their end
 };
 
 }  // namespace shmoo::rdme

@@ -74,6 +74,7 @@ json of(const Forecast& one) {
   return {{"flow_time", one.flow_time},
           {"flow_steps", one.flow_steps},
           {"steady", one.steady},
+          {"start_seconds", one.start_seconds},
           {"shared_seconds", one.shared_seconds},
           {"once_seconds", one.once_seconds},
           {"realisation_seconds", one.realisation_seconds},

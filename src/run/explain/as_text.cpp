@@ -77,10 +77,12 @@ void say_forecast(const Forecast& one, const scene::Scene& scene, Out out) {
     fmt::format_to(out, "  flow          {:.4g} steps to {:.4g} s{}\n", one.flow_steps, one.flow_time,
                    one.steady ? ", when it should be steady; from there it is carried" : "");
   }
-  fmt::format_to(
-      out,
-      "  CPU time      {:.3g} s = {:.3g} s for what all realisations share, {:.3g} s for their jumps, {} x {:.3g} s\n",
-      one.cpu_seconds, one.shared_seconds, one.once_seconds, scene.run.realisations, one.realisation_seconds);
+  fmt::format_to(out,
+                 "  CPU time      {:.3g} s = {:.2g} s to start, {:.3g} s for what all realisations share, {:.3g} s for "
+                 "their jumps, "
+                 "{} x {:.3g} s\n",
+                 one.cpu_seconds, one.start_seconds, one.shared_seconds, one.once_seconds, scene.run.realisations,
+                 one.realisation_seconds);
   fmt::format_to(out, "  time          {} on {} thread{}\n", duration_text(one.wall_seconds), one.threads,
                  one.threads == 1 ? "" : "s");
   fmt::format_to(out, "  memory        {:.3g} MB\n", 1e-6 * double(one.bytes));

@@ -72,11 +72,11 @@ void add_times(const scene::Scene& scene, const coupling::Numbers& numbers, cons
   if (play.kind != Kind::whole) forecast.shared_seconds = flow_seconds(scene, numbers, *flow, forecast);
   const double moving = play.kind == Kind::carried ? kept_intervals(scene, numbers, forecast) - 1.0 : 1.0;
   forecast.once_seconds = moving * course.moving_once + course.standing_once;
-  forecast.cpu_seconds =
-      forecast.shared_seconds + forecast.once_seconds + scene.run.realisations * forecast.realisation_seconds;
+  forecast.cpu_seconds = forecast.start_seconds + forecast.shared_seconds + forecast.once_seconds +
+                         scene.run.realisations * forecast.realisation_seconds;
   const double workers = std::min(forecast.threads, scene.run.realisations);
   const double speedup = flow ? flow->speedup : 1.0;
-  forecast.wall_seconds = forecast.shared_seconds / speedup + forecast.once_seconds +
+  forecast.wall_seconds = forecast.start_seconds + forecast.shared_seconds / speedup + forecast.once_seconds +
                           forecast.realisation_seconds * std::ceil(scene.run.realisations / workers);
 }
 
@@ -136,9 +136,9 @@ const char* told(Kind kind) {
 }  // namespace
 
 Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbers,
-                       const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads,
-                       std::size_t idle_bytes, double budget) {
-  Forecast forecast{.threads = threads};
+                       const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads, const Idle& idle,
+                       double budget) {
+  Forecast forecast{.start_seconds = idle.seconds, .threads = threads};
   const auto* costs = flow ? &*flow : nullptr;
   plan_flow(scene, numbers, forecast);
   auto play = choose_play(scene, numbers, costs, budget);
@@ -151,7 +151,7 @@ Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbe
   if (!rehearsal.prepared && rehearsal.prepared_fraction > 0.0)
     rehearsal.prepare_seconds /= rehearsal.prepared_fraction;
   add_times(scene, numbers, costs, play, rehearsal, forecast);
-  add_memory(scene, numbers, costs, play, rehearsal, make(scene)->layout(), idle_bytes, forecast);
+  add_memory(scene, numbers, costs, play, rehearsal, make(scene)->layout(), idle.bytes, forecast);
   return forecast;
 }
 

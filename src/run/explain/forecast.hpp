@@ -9,10 +9,17 @@
 
 namespace shmoo::run {
 
+// What a process holds and has spent when it has read its model and computed nothing.
+struct Idle {
+  std::size_t bytes = 0;
+  double seconds = 0;  // CPU time
+};
+
 struct Forecast {
   double flow_time = 0;            // [s] simulated with the flow computed
   double flow_steps = 0;           // time steps of the flow, of one run of it
   bool steady = false;             // the flow is expected to become steady then, and to be carried from there
+  double start_seconds = 0;        // CPU time of starting the program and reading the model
   double shared_seconds = 0;       // CPU time of what all realisations share
   double once_seconds = 0;         // CPU time of listing jumps, which the first realisation pays for all
   double realisation_seconds = 0;  // CPU time of one realisation
@@ -24,10 +31,10 @@ struct Forecast {
   std::string how{};                                          // what was measured
 };
 
-// The scene must be decided. `idle_bytes` is what the process held before it did anything.
+// The scene must be decided.
 Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbers,
                        const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads,
-                       std::size_t idle_bytes, double budget);
+                       const Idle& idle, double budget);
 
 // CPU time of a whole realisation from its first part, and what of that part only the first realisation pays: listing
 // the jumps of moving and of standing voxels. The pace may change linearly until the fraction `until_even`.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "base/clock.hpp"
 #include "run/explain/memory.hpp"
 #include "run/explain/report.hpp"
 #include "run/verbs/verbs.hpp"
@@ -19,7 +20,7 @@ struct Wish {
 constexpr double flow_budget = 1.0, run_budget = 1.2;  // [s] of CPU time
 
 // What has to be run to be known.
-void measure(Report& report, const Workshop& workshop, int threads, std::size_t idle_bytes) {
+void measure(Report& report, const Workshop& workshop, int threads, const Idle& idle) {
   const auto& scene = report.decided.scene;
   const auto& numbers = report.decided.numbers;
   if (scene.effects.flow) report.flow = coupling::measure_flow(scene, threads, flow_budget);
@@ -28,20 +29,21 @@ void measure(Report& report, const Workshop& workshop, int threads, std::size_t 
     report.limits = coupling::judge_limits(scene, numbers, {.particle_steps = pace, .measured = true});
   }
   omp_set_num_threads(1);  // CPU time is that of one thread, as in an ensemble
-  report.forecast = make_forecast(scene, numbers, report.flow, workshop.make, threads, idle_bytes, run_budget);
+  report.forecast = make_forecast(scene, numbers, report.flow, workshop.make, threads, idle, run_budget);
 }
 
 void explain(const Wish& wish, const Workshop& workshop) {
-  const auto idle_bytes = resident_bytes();
+  Idle idle{resident_bytes(), 0.0};
   const int threads =
       wish.threads.empty() ? omp_get_max_threads() : static_cast<int>(whole_number("--threads", wish.threads, 1, 4096));
   Report report{coupling::decide(workshop.read(wish.model, overrides_of(wish.settings))), {}, {}, {}, {}, {}};
+  idle.seconds = base::cpu_seconds();
   auto scene = report.decided.scene;
   report.numbers = telling_numbers(scene, report.decided.numbers);
   report.limits = coupling::judge_limits(scene, report.decided.numbers);
   scene.numerics.limits = scene::Limits::warn;  // to be told, not to be stopped by
   report.derived = workshop.make(std::move(scene))->derived();
-  if (!wish.unmeasured) measure(report, workshop, threads, idle_bytes);
+  if (!wish.unmeasured) measure(report, workshop, threads, idle);
   if (wish.json)
     fmt::print("{}\n", as_json(report).dump(2));
   else

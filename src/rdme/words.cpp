@@ -32,7 +32,7 @@ inline double minus_log(double x) {
 void AttemptSequence::next(Attempts& attempts) {
   constexpr std::size_t n = Attempts::size;
   if (drawn_ + blocks > std::uint64_t{1} << 32) {
-    sequence_ = base::RandomSequence(key_, stream_, step_, ++chapter_);
+    sequence_ = base::RandomSequence(key_, stream_, step_, a_, b_ + (++chapter_ << 16));
     drawn_ = 0;
   }
   alignas(64) std::uint32_t words[4 * blocks];

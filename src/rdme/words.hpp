@@ -19,8 +19,10 @@ struct Attempts {
 // An endless row of attempts at one address.
 class AttemptSequence {
  public:
-  AttemptSequence(const base::RandomKey& key, base::Stream stream, std::uint64_t step)
-      : key_(key), stream_(stream), step_(step), sequence_(key, stream, step) {}
+  // a, b: the address, b < 2^16.
+  AttemptSequence(const base::RandomKey& key, base::Stream stream, std::uint64_t step, std::uint32_t a = 0,
+                  std::uint32_t b = 0)
+      : key_(key), stream_(stream), step_(step), a_(a), b_(b), sequence_(key, stream, step, a, b) {}
 
   void next(Attempts& attempts);
 
@@ -30,8 +32,9 @@ class AttemptSequence {
   base::RandomKey key_;
   base::Stream stream_;
   std::uint64_t step_;
+  std::uint32_t a_, b_;
   base::RandomSequence sequence_;
-  std::uint32_t chapter_ = 0;  // the address's `a`: goes up where a sequence's 2^34 words end
+  std::uint32_t chapter_ = 0;  // added to b in its upper half: goes up where a sequence's 2^34 words end
   std::uint64_t drawn_ = 0;    // blocks of this chapter
 };
 

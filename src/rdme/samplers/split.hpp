@@ -1,13 +1,14 @@
 #pragma once
 // Reactions and diffusion in turns: half a step of reactions, a step of diffusion, half a step of reactions (Strang
 // 1968, SIAM J. Numer. Anal. 5, 506). Each part is exact, so only the splitting error is left, of second order in the
-// step. Between voxels nothing is shared within a part: each voxel's reactions are an exact simulation (Gillespie 1977)
-// at an address of their own, and diffusion is sampled without events (uniformised.hpp).
+// step. Between voxels nothing is shared within a part: each voxel's reactions are an exact simulation
+// (voxel_reactions.hpp), and diffusion is sampled without events (uniformised.hpp). Groups of voxels have random
+// numbers of their own, so that threads share a step and the bits are the same for any number of them.
 #include <vector>
 
-#include "rdme/propensity.hpp"
 #include "rdme/sampler.hpp"
 #include "rdme/samplers/uniformised.hpp"
+#include "rdme/samplers/voxel_reactions.hpp"
 
 namespace shmoo::rdme {
 
@@ -23,16 +24,13 @@ class Split final : public Sampler {
 
  private:
   void react(double t, double dt, const Address& address, std::uint32_t half);
-  void react(std::uint32_t voxel, const Window& window, base::RandomSequence& random);
 
   const Network& network_;
-  Propensities propensities_;
   const Voxels* voxels_ = nullptr;
   State* state_ = nullptr;
   std::shared_ptr<const JumpTables> tables_;
   UniformisedDiffusion diffusion_;
-  std::vector<double> value_;         // propensities in one voxel, by reaction
-  std::vector<std::int64_t> events_;  // by reaction, of this advance
+  std::vector<VoxelReactions> lanes_;  // one a thread
 };
 
 }  // namespace shmoo::rdme

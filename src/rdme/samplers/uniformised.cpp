@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "rdme/samplers/share_groups.hpp"
 
 namespace shmoo::rdme {
 namespace {
@@ -123,18 +124,13 @@ void UniformisedDiffusion::choose_way(const JumpTable& table) {
 
 void UniformisedDiffusion::round(const Walk& walk, base::Stream stream, std::uint32_t number) {
   const std::uint32_t address = number * walk.stride + walk.species;
-  const auto groups = (walk.voxels + voxels_per_sequence - 1) / voxels_per_sequence;
-#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_)) if (threads_ > 1)
-  for (std::uint32_t g = 0; g < groups; ++g) {
-    const std::uint32_t begin = g * voxels_per_sequence;
-    move_group(walk, {walk.address->key, stream, walk.address->step, begin, address}, begin,
-               lanes_[static_cast<std::size_t>(omp_get_thread_num())]);
-  }
+  share_groups(walk.voxels, threads_, [&](std::uint32_t begin, std::uint32_t end, std::size_t thread) {
+    move_group(walk, {walk.address->key, stream, walk.address->step, begin, address}, begin, end, lanes_[thread]);
+  });
 }
 
 void UniformisedDiffusion::move_group(const Walk& walk, const base::RandomSequence& random, std::uint32_t begin,
-                                      Lane& lane) {
-  const auto end = std::min(walk.voxels, begin + voxels_per_sequence);
+                                      std::uint32_t end, Lane& lane) {
   lane.words.open(random);
   lane.walkers.start(*walk.table, walk.voxels, moves_, lane.words, lane.resting.data());
   for (std::uint32_t i = begin; i < end; ++i) {

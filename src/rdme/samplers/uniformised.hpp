@@ -24,9 +24,6 @@
 
 namespace shmoo::rdme {
 
-// Neighbours by id that share a sequence of random numbers, in diffusion and in the reactions of a splitting step.
-constexpr std::uint32_t voxels_per_sequence = 256;
-
 // Where a step finds its random numbers.
 struct Address {
   base::RandomKey key;
@@ -67,7 +64,8 @@ class UniformisedDiffusion {
   void rounds(const Walk& walk, base::Stream stream, const std::vector<double>& at_least);
   void choose_way(const JumpTable& table);
   void round(const Walk& walk, base::Stream stream, std::uint32_t number);
-  void move_group(const Walk& walk, const base::RandomSequence& random, std::uint32_t begin, Lane& lane);
+  void move_group(const Walk& walk, const base::RandomSequence& random, std::uint32_t begin, std::uint32_t end,
+                  Lane& lane);
   void move_few(const Walk& walk, std::uint32_t voxel, Lane& lane);
   void move_many(const Walk& walk, std::uint32_t voxel, Lane& lane);
   bool gather();

@@ -112,7 +112,7 @@ void add_binding(std::vector<Workload>& all, std::uint32_t n) {
   add_heap(all, name, problem);
   add(all, name, "exact-composition-rejection", problem, scene::Sampler::composition_rejection,
       portion(360.0 * voxels));
-  for (const double jumps : {0.06, 0.6})
+  for (const double jumps : {0.06, 0.6, 3.0})
     add(all, name, fmt::format("split-{:g}-jumps", jumps), problem, scene::Sampler::split, jumps / 6.0);
 }
 

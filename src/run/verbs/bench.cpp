@@ -1,5 +1,6 @@
 // shmoo bench: how fast each method is on named workloads, on this machine.
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,7 @@ namespace {
 
 struct Wish {
   std::vector<std::string> workloads, methods;
-  std::string seconds;
+  std::string seconds, threads;
   bool list = false, json = false;
 };
 
@@ -69,6 +70,7 @@ int run_bench(const Wish& wish) {
   refuse_unknown(wish.workloads, &bench::Workload::name, "workload", all);
   refuse_unknown(wish.methods, &bench::Workload::method, "method", all);
   const double seconds = seconds_of(wish);
+  omp_set_num_threads(wish.threads.empty() ? 1 : static_cast<int>(whole_number("--threads", wish.threads, 1, 4096)));
   bool right = true;
   for (const auto& work : all) {
     if (!named(wish.workloads, work.name) || !named(wish.methods, work.method)) continue;
@@ -94,6 +96,7 @@ void declare_bench(CLI::App& app, Desk& desk) {
       ->expected(1)
       ->allow_extra_args(false);
   verb->add_option("--seconds", wish->seconds, "CPU seconds to spend on each [2]");
+  verb->add_option("--threads", wish->threads, "threads that one run may use; CPU seconds are of all of them [1]");
   verb->add_flag("--list", wish->list, "name workloads and methods instead");
   verb->add_flag("--json", wish->json, "one object a line");
   verb->callback([wish, &desk] { desk.exit_code = run_bench(*wish); });

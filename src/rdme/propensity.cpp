@@ -10,7 +10,35 @@
 namespace shmoo::rdme {
 
 Propensities::Propensities(const Network& network)
-    : network_(network), laws_(network, true), species_(network.species()) {}
+    : network_(network), laws_(network, true), species_(network.species()) {
+  for (const Law& law : laws_.of_reaction) quick_.push_back(make_quick(law));
+}
+
+Propensities::Quick Propensities::make_quick(const Law& law) const {
+  Quick quick;
+  quick.constant = law.constant;
+  quick.applies = law.expression < 0 && law.order <= 2;
+  int found = 0;
+  for (std::uint32_t f = law.first; f < law.last && quick.applies; ++f) {
+    const Factor& factor = laws_.factors[f];
+    quick.applies = factor.stochastic;
+    for (int k = 0; k < factor.count; ++k, ++found) {
+      (found == 0 ? quick.first : quick.second) = factor.species;
+      (found == 0 ? quick.first_scale : quick.second_scale) = 1;
+      (found == 0 ? quick.first_shift : quick.second_shift) = -k;
+    }
+  }
+  return quick;
+}
+
+void Propensities::bind_quick() {
+  static constexpr double one = 1.0;
+  for (std::size_t r = 0; r < quick_.size(); ++r) {
+    const int order = laws_.of_reaction[r].order;
+    quick_[r].stride = order == 1 ? 0 : 1;
+    quick_[r].volume = order == 0 ? volume_ : order == 1 ? &one : inverse_volume_.data();
+  }
+}
 
 void Propensities::bind(const Voxels& voxels, const State& state) {
   voxels_ = &voxels;
@@ -19,6 +47,7 @@ void Propensities::bind(const Voxels& voxels, const State& state) {
   volume_ = voxels.volume.data();
   inverse_volume_.resize(voxels.size());
   for (std::size_t i = 0; i < voxels.size(); ++i) inverse_volume_[i] = 1.0 / voxels.volume[i];
+  bind_quick();
 }
 
 void Propensities::set_time(double t) {

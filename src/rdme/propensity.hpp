@@ -42,6 +42,15 @@ class Propensities {
   // Events per second of a reaction in a voxel, at the numbers that the state holds now. Throws base::RunError, naming
   // the reaction, the voxel and the time, where the value is negative, infinite or not a number.
   double operator()(int reaction, std::size_t voxel) {
+    const Quick& quick = quick_[reaction];
+    if (quick.applies) {
+      const std::int64_t* const n = count_ + voxel * species_;
+      const double first = static_cast<double>(n[quick.first]) * quick.first_scale + quick.first_shift;
+      const double second = static_cast<double>(n[quick.second]) * quick.second_scale + quick.second_shift;
+      const double a = quick.constant * quick.volume[voxel * quick.stride] * (first * second);
+      if (!(a >= 0.0 && a <= 1e300)) refuse(reaction, voxel, a, time_);
+      return a;
+    }
     const Law& law = laws_.of_reaction[reaction];
     if (law.expression >= 0) return evaluate(reaction, voxel);
     double a = law.constant * available(law, voxel);
@@ -69,6 +78,18 @@ class Propensities {
     return product;
   }
 
+  // Mass action of at most two whole molecules, without branches: each factor is n, n - 1, or 1 where there is none.
+  struct Quick {
+    bool applies = false;
+    int first = 0, second = 0;  // species
+    double first_scale = 0, first_shift = 1, second_scale = 0, second_shift = 1;
+    double constant = 0;
+    const double* volume = nullptr;  // V^(1-m) of voxel i at [i * stride]
+    std::size_t stride = 0;
+  };
+  Quick make_quick(const Law& law) const;
+  void bind_quick();
+
   double evaluate(int reaction, std::size_t voxel);
   double number(std::size_t voxel, int species) const;
   bool thin(int reaction, std::size_t voxel, double t, double rest, double bound);
@@ -91,6 +112,7 @@ class Propensities {
   const double* amount_ = nullptr;
   const double* volume_ = nullptr;
   const Voxels* voxels_ = nullptr;
+  std::vector<Quick> quick_;  // by reaction
   std::vector<double> inverse_volume_;
   double time_ = 0;
   Window window_;

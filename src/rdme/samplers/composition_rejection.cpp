@@ -12,6 +12,7 @@
 namespace shmoo::rdme {
 namespace {
 
+constexpr std::size_t near = 8192;            // voxels whose rows and rates the second cache holds
 constexpr std::uint32_t nobody = 0xFFFFFFFF;  // no voxel
 
 }  // namespace
@@ -41,6 +42,7 @@ void CompositionRejection::bind(const Voxels& voxels, State& state, std::shared_
   leave_ = tables_->leave_rate.data();
   entry_ = tables_->entry_rate.empty() ? nullptr : tables_->entry_rate.data();
   count_ = state.count.data();
+  far_ = voxels.size() > near;
   rows_.clear(network_.any_sampled() ? voxels.size() : 0, reactions_);
   derived_ = false;
 }
@@ -119,22 +121,17 @@ void CompositionRejection::pass(const Window& window, AttemptSequence& sequence)
 // Picks, decisions and the memory that they will need. What lies beyond the end of the step is left out.
 void CompositionRejection::look_ahead(const Attempts& attempts, double left, Look& look) {
   const JumpTable* const table = species_ > 0 && diffusion_ ? table_[0] : nullptr;
-  const std::size_t window = std::clamp<std::size_t>(groups_.occupied() / 128, 1, 16);
+  const std::size_t window = std::clamp<std::size_t>(groups_.occupied() / 64, 1, 16);
   look.version = groups_.version();
   look.to = std::min(look.from + window, Attempts::size);
   look.accepted = 0;
-  look.voxel.fill(nobody);
+  std::fill_n(look.voxel.begin(), look.from, nobody);
   const double mean = 1.0 / groups_.sum();
-  for (std::size_t k = look.from; k < look.to; ++k) {
-    look.left[k] = left -= attempts.wait[k] * mean;
-    const Groups::Pick pick = groups_.pick(attempts.choice[k]);
-    look.voxel[k] = pick.voxel;
-    look.rest[k] = pick.rest;
-    groups_.prefetch(pick.voxel);
-    __builtin_prefetch(count_ + pick.voxel * species_, 1);
-    __builtin_prefetch(leave_ + pick.voxel * species_);
-    if (table) table->prefetch(pick.voxel);
-  }
+  groups_.pick(attempts.choice.data() + look.from, look.to - look.from, look.voxel.data() + look.from,
+               look.rest.data() + look.from);
+  std::fill(look.voxel.begin() + std::ptrdiff_t(look.to), look.voxel.end(), nobody);
+  for (std::size_t k = look.from; k < look.to; ++k) look.left[k] = left -= attempts.wait[k] * mean;
+  if (far_) fetch(look, table);
   for (std::size_t k = look.from; k < look.to; ++k) {
     const bool accepted = look.left[k] > 0 && look.rest[k] < groups_.total(look.voxel[k]);
     look.accepted |= std::uint64_t{accepted} << k;
@@ -143,10 +140,20 @@ void CompositionRejection::look_ahead(const Attempts& attempts, double left, Loo
     const auto k = static_cast<std::size_t>(std::countr_zero(bits));
     const std::uint32_t voxel = look.voxel[k];
     look.target[k] = table->empty(voxel) ? voxel : table->target(voxel, attempts.word[k]);
-    if (look.target[k] == voxels_->size()) continue;
+    if (!far_ || look.target[k] == voxels_->size()) continue;
     groups_.prefetch(look.target[k]);
     __builtin_prefetch(count_ + look.target[k] * species_, 1);
     __builtin_prefetch(leave_ + look.target[k] * species_);
+  }
+}
+
+void CompositionRejection::fetch(const Look& look, const JumpTable* table) const {
+  for (std::size_t k = look.from; k < look.to; ++k) {
+    const std::uint32_t voxel = look.voxel[k];
+    groups_.prefetch(voxel);
+    __builtin_prefetch(count_ + voxel * species_, 1);
+    __builtin_prefetch(leave_ + voxel * species_);
+    if (table) table->prefetch(voxel);
   }
 }
 

@@ -30,14 +30,16 @@ class CompositionRejection final : public Sampler {
   void species_changed(std::uint32_t voxel, int species);
   // Coming attempts [from, to) as they stand now.
   struct Look {
-    alignas(64) std::array<std::uint32_t, Attempts::size> voxel;
-    std::array<std::uint32_t, Attempts::size> target;  // of a jump by the first species' rows
-    std::array<double, Attempts::size> rest, left;     // of a pick; of the step's time [s] once the attempt is made
-    std::uint64_t accepted = 0;                        // bits
+    alignas(64) std::array<std::uint32_t, Attempts::size + 8> voxel;  // and room beyond (groups.hpp)
+    std::array<std::uint32_t, Attempts::size> target;                 // of a jump by the first species' rows
+    std::array<double, Attempts::size + 8> rest;
+    std::array<double, Attempts::size> left;  // of a pick; of the step's time [s] once the attempt is made
+    std::uint64_t accepted = 0;               // bits
     std::size_t from = 0, to = 0;
     std::uint64_t version = 0;
   };
   void look_ahead(const Attempts& attempts, double left, Look& look);
+  void fetch(const Look& look, const JumpTable* table) const;
   bool touched(const Look& look, std::uint32_t voxel, std::uint32_t other) const;
   std::uint32_t fire(std::uint32_t voxel, double rest, std::uint32_t word, std::uint32_t guess);
   std::uint32_t jump(std::uint32_t voxel, int species, std::uint32_t target);
@@ -53,6 +55,7 @@ class CompositionRejection final : public Sampler {
   std::shared_ptr<const JumpTables> tables_;
   Process process_ = Process::both;
   bool derived_ = false;
+  bool far_ = false;                         // memory is worth asking for early
   bool diffusion_ = true, reaction_ = true;  // what the process acts on
   Groups groups_;
   std::vector<const JumpTable*> table_;  // by species

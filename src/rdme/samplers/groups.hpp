@@ -15,11 +15,6 @@ namespace shmoo::rdme {
 
 class Groups {
  public:
-  struct Pick {
-    std::uint32_t voxel;
-    double rest;  // uniform in [0, 2^e): an event of the voxel where below its total
-  };
-
   void clear(std::size_t voxels);
 
   // The voxel's total rate is now `total` [1/s]: finite, >= 0.
@@ -34,19 +29,10 @@ class Groups {
   std::size_t occupied() const { return occupied_; }  // voxels of total > 0
   std::uint64_t version() const { return version_; }  // changes where a voxel changes its group
 
-  // By a uniform number in (0, 1). The sum must not be 0.
-  Pick pick(double uniform) const {
-    const double x = uniform * sum_;
-    const std::uint32_t last = highest_ - lowest_;
-    std::uint32_t k = 0;  // groups passed over, counted without branches
-    for (std::uint32_t g = 1; g <= last; ++g) k += x >= before_[g] ? 1U : 0U;
-    const std::uint32_t group = highest_ - k;
-    const std::vector<std::uint32_t>& members = members_[group];
-    const double place = (x - before_[k]) * inverse_width(group);
-    std::size_t m = static_cast<std::size_t>(place);
-    if (m >= members.size()) m = members.size() - 1;
-    return {members[m], (place - static_cast<double>(m)) * width(group)};
-  }
+  // By uniform numbers in (0, 1), one pick for each, up to 32 of them. The sum must not be 0. Each pick is a voxel and
+  // a number that is uniform in [0, 2^e): an event of the voxel where below its total. May write up to seven entries
+  // more.
+  void pick(const double* uniform, std::size_t number, std::uint32_t* voxel, double* rest) const;
 
   void prefetch(std::uint32_t voxel) const { __builtin_prefetch(&entries_[voxel], 1); }
 
@@ -66,9 +52,16 @@ class Groups {
 
   void move(std::uint32_t voxel, std::uint32_t group);
 
+  void add(std::uint32_t voxel, std::uint32_t group);
+  void remove(std::uint32_t voxel);
+  void make_room(std::uint32_t group);
+  void compact();
+
   std::vector<Entry> entries_;
   std::array<double, 2048> before_{};  // masses of all groups above the k-th, counted from the highest
-  std::array<std::vector<std::uint32_t>, 2048> members_;
+  // Members of a group: size_ entries of members_ from first_ on, where there is room for room_.
+  std::vector<std::uint32_t> members_;
+  std::array<std::uint32_t, 2048> first_{}, size_{}, room_{};
   std::uint32_t lowest_ = 0, highest_ = 0;  // groups that may have members
   double sum_ = 0;
   std::size_t occupied_ = 0;

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "rdme/samplers/composition_rejection.hpp"
 #include "rdme/samplers/direct.hpp"
+#include "rdme/samplers/one_well.hpp"
 #include "rdme/samplers/split.hpp"
 
 namespace shmoo::rdme {
@@ -20,6 +21,11 @@ std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& netw
       break;
   }
   throw base::InputError("unknown sampler");
+}
+
+std::unique_ptr<Sampler> make_well_sampler(scene::Sampler method, const Network& network) {
+  if (method == scene::Sampler::composition_rejection) return std::make_unique<OneWell>(network);
+  return make_sampler(method, network);
 }
 
 }  // namespace shmoo::rdme

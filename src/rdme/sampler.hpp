@@ -49,4 +49,7 @@ inline bool samples_events(scene::Sampler method) { return method != scene::Samp
 // The network must outlive the sampler.
 std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& network);
 
+// The same where all is one voxel, without jumps and exchanges.
+std::unique_ptr<Sampler> make_well_sampler(scene::Sampler method, const Network& network);
+
 }  // namespace shmoo::rdme

@@ -92,7 +92,7 @@ void CompositionRejection::advance(double t, double dt, Process process, const b
     if (!derived_ || network_.sampled_rates_change_in_time()) derive_all();
     pass(window, sequence);
   }
-  close_books();
+  close_books(*state_, network_, events_);
 }
 
 // All events of a window.
@@ -220,15 +220,6 @@ void CompositionRejection::react(std::uint32_t voxel, int reaction, double rest)
     rows_.set(voxel, std::size_t(r), propensities_(r, voxel));
   }
   refresh(voxel);
-}
-
-void CompositionRejection::close_books() {
-  for (std::size_t r = 0; r < reactions_; ++r) {
-    if (events_[r] == 0) continue;
-    book_reaction(state_->ledger, network_, network_.reactions()[r], events_[r]);
-    state_->reaction_events += static_cast<std::uint64_t>(events_[r]);
-    events_[r] = 0;
-  }
 }
 
 }  // namespace shmoo::rdme

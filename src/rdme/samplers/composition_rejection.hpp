@@ -45,7 +45,6 @@ class CompositionRejection final : public Sampler {
   std::uint32_t jump(std::uint32_t voxel, int species, std::uint32_t target);
   void react(std::uint32_t voxel, int reaction, double rest);
   void pass(const Window& window, AttemptSequence& sequence);
-  void close_books();
 
   const Network& network_;
   Propensities propensities_;

@@ -19,6 +19,16 @@ inline void book_reaction(Ledger& ledger, const Network& network, const Reaction
   }
 }
 
+// Books events that were counted by reaction, and counts anew.
+inline void close_books(State& state, const Network& network, std::vector<std::int64_t>& events) {
+  for (std::size_t r = 0; r < events.size(); ++r) {
+    if (events[r] == 0) continue;
+    book_reaction(state.ledger, network, network.reactions()[r], events[r]);
+    state.reaction_events += static_cast<std::uint64_t>(events[r]);
+    events[r] = 0;
+  }
+}
+
 // One event of a reaction in a voxel; the ledger is left alone.
 inline void change_numbers(State& state, const Network& network, const Reaction& reaction, std::size_t voxel) {
   for (const Change& change : reaction.changes) {

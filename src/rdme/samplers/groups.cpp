@@ -111,16 +111,10 @@ void Groups::pick(const double* uniform, std::size_t number, std::uint32_t* voxe
 }
 #else
 void Groups::pick(const double* uniform, std::size_t number, std::uint32_t* voxel, double* rest) const {
-  const std::uint32_t last = highest_ - lowest_;
   for (std::size_t at = 0; at < number; ++at) {
-    const double x = uniform[at] * sum_;
-    std::uint32_t passed = 0;  // groups passed over, counted without branches
-    for (std::uint32_t g = 1; g <= last; ++g) passed += x >= before_[g] ? 1U : 0U;
-    const std::uint32_t group = highest_ - passed;
-    const double place = (x - before_[passed]) * inverse_width(group);
-    const std::uint32_t member = std::min(static_cast<std::uint32_t>(place), size_[group] - 1);
-    voxel[at] = members_[first_[group] + member];
-    rest[at] = (place - static_cast<double>(member)) * width(group);
+    const Pick one = pick(uniform[at]);
+    voxel[at] = one.member;
+    rest[at] = one.rest;
   }
 }
 #endif

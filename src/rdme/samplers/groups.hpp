@@ -6,6 +6,7 @@
 // numbers and carries no round-off from event to event. Events are drawn at that sum; a voxel of total a is then
 // accepted with probability a/2^e, at least one half. What is rejected is a moment at which nothing happens, which
 // leaves the law exact (thinning: Lewis and Shedler 1979).
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -28,6 +29,23 @@ class Groups {
   double sum() const { return sum_; }                 // [1/s] of all masses
   std::size_t occupied() const { return occupied_; }  // voxels of total > 0
   std::uint64_t version() const { return version_; }  // changes where a voxel changes its group
+
+  struct Pick {
+    std::uint32_t member;
+    double rest;  // uniform in [0, 2^e): an event of the member where below its total
+  };
+
+  // By a uniform number in (0, 1). The sum must not be 0.
+  Pick pick(double uniform) const {
+    const double x = uniform * sum_;
+    const std::uint32_t last = highest_ - lowest_;
+    std::uint32_t passed = 0;  // groups passed over, counted without branches
+    for (std::uint32_t g = 1; g <= last; ++g) passed += x >= before_[g] ? 1U : 0U;
+    const std::uint32_t group = highest_ - passed;
+    const double place = (x - before_[passed]) * inverse_width(group);
+    const std::uint32_t member = std::min(static_cast<std::uint32_t>(place), size_[group] - 1);
+    return {members_[first_[group] + member], (place - static_cast<double>(member)) * width(group)};
+  }
 
   // By uniform numbers in (0, 1), one pick for each, up to 32 of them. The sum must not be 0. Each pick is a voxel and
   // a number that is uniform in [0, 2^e): an event of the voxel where below its total. May write up to seven entries

@@ -59,12 +59,4 @@ void VoxelReactions::react(std::uint32_t voxel, const Window& window) {
   }
 }
 
-void VoxelReactions::close_books() {
-  for (std::size_t r = 0; r < events_.size(); ++r) {
-    book_reaction(state_->ledger, network_, network_.reactions()[r], events_[r]);
-    state_->reaction_events += static_cast<std::uint64_t>(events_[r]);
-    events_[r] = 0;
-  }
-}
-
 }  // namespace shmoo::rdme

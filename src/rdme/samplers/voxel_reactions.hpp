@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rdme/propensity.hpp"
+#include "rdme/samplers/events.hpp"
 #include "rdme/state.hpp"
 #include "rdme/words.hpp"
 
@@ -24,7 +25,7 @@ class VoxelReactions {
   void react(std::uint32_t begin, std::uint32_t end, std::span<const Window> windows, AttemptSequence sequence);
 
   // Books what has happened since the last time.
-  void close_books();
+  void close_books() { rdme::close_books(*state_, network_, events_); }
 
  private:
   struct Draw {

@@ -39,7 +39,7 @@ Measurement with_sampler(const Problem& problem, scene::Sampler method, double d
   fill_poisson(state, problem.mean);
   rdme::open_ledger(state, network);
   const double before = allocated_bytes();
-  auto sampler = rdme::make_sampler(method, network);
+  auto sampler = voxels.size() == 1 ? rdme::make_well_sampler(method, network) : rdme::make_sampler(method, network);
   sampler->bind(voxels, state);
   std::uint64_t step = 0;
   sampler->advance(0, dt, rdme::Process::both, {1, 0}, step++);

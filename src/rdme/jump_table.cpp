@@ -96,7 +96,7 @@ std::shared_ptr<const JumpTable> make_table(const Voxels& voxels, const JumpGrap
 JumpTable::JumpTable(std::size_t voxels, std::size_t pairs) {
   first_.reserve(voxels + 2);
   first_.push_back(0);
-  blocks_.reserve(pairs / 8 + voxels + 1);
+  blocks_.reserve(voxels * (pairs / (8 * voxels + 1) + 1) + 1);
 }
 
 void JumpTable::add_row(std::span<const double> weights, std::span<const std::uint32_t> targets) {

@@ -43,6 +43,7 @@ class JumpTable {
     return {blocks_.data() + first_[voxel], blocks_.data() + first_[voxel + 1]};
   }
   bool empty(std::size_t voxel) const { return first_[voxel] == first_[voxel + 1]; }
+  std::size_t bytes() const { return blocks_.size() * sizeof(Block) + first_.size() * sizeof(first_[0]); }
   double mean_blocks() const { return static_cast<double>(blocks_.size()) / static_cast<double>(first_.size() - 1); }
   void prefetch(std::size_t voxel) const { __builtin_prefetch(blocks_.data() + first_[voxel]); }
 

@@ -45,8 +45,8 @@ void Propensities::bind(const Voxels& voxels, const State& state) {
   count_ = state.count.data();
   amount_ = state.amount.data();
   volume_ = voxels.volume.data();
-  inverse_volume_.resize(voxels.size());
-  for (std::size_t i = 0; i < voxels.size(); ++i) inverse_volume_[i] = 1.0 / voxels.volume[i];
+  inverse_volume_.resize(network_.any_sampled() ? voxels.size() : 0);
+  for (std::size_t i = 0; i < inverse_volume_.size(); ++i) inverse_volume_[i] = 1.0 / voxels.volume[i];
   bind_quick();
 }
 

@@ -54,8 +54,6 @@ void Groups::remove(std::uint32_t voxel) {
 void Groups::add(std::uint32_t voxel, std::uint32_t group) {
   if (size_[group] == room_[group]) make_room(group);
   Entry& entry = entries_[voxel];
-  entry.low = least_share * width(group);
-  entry.above = width(group);
   entry.place = size_[group]++;
   members_[first_[group] + entry.place] = voxel;
   ++occupied_;
@@ -68,8 +66,6 @@ void Groups::move(std::uint32_t voxel, std::uint32_t group) {
   Entry& entry = entries_[voxel];
   if (entry.group != none) remove(voxel);
   entry.group = group;
-  entry.low = 0;
-  entry.above = 0x1p-1074;
   if (group != none) add(voxel, group);
   // The lowest and highest that hold a voxel: what lies outside must never be picked by round-off.
   while (lowest_ < highest_ && size_[lowest_] == 0) ++lowest_;

@@ -22,7 +22,9 @@ class Groups {
   void set(std::uint32_t voxel, double total) {
     Entry& entry = entries_[voxel];
     entry.total = total;
-    if (total >= entry.above || total < entry.low) move(voxel, total > 0 ? exponent(total) : none);
+    const double above = width(entry.group);
+    if (total < above && total >= least_share * above) return;
+    if (total > 0 || entry.group != none) move(voxel, total > 0 ? exponent(total) : none);
   }
 
   double total(std::uint32_t voxel) const { return entries_[voxel].total; }
@@ -55,11 +57,10 @@ class Groups {
   void prefetch(std::uint32_t voxel) const { __builtin_prefetch(&entries_[voxel], 1); }
 
  private:
-  static constexpr std::uint32_t none = 2047;  // not a finite number's exponent
+  static constexpr std::uint32_t none = 2047;  // not a finite number's exponent; width(none) holds nothing
   struct Entry {
     double total = 0;
-    double low = 0, above = 0x1p-1074;  // where the group holds: low <= total < above; outside all groups: total == 0
-    std::uint32_t group = none, place = 0;
+    std::uint32_t group = none, place = 0;  // outside all groups: total == 0
   };
   static constexpr double least_share = 0.35;  // of 2^e
 

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "base/clock.hpp"
+#include "rdme/jump_table.hpp"
 #include "rdme/sampler.hpp"
 #include "run/bench/lattice_problem.hpp"
 #include "run/bench/next_subvolume.hpp"
@@ -32,6 +34,13 @@ void judge(const Problem& problem, const rdme::Network& network, const rdme::Sta
   measurement.check = lost.empty() ? fmt::format("{}: {:+.2f} standard deviations", problem.law, off) : lost;
 }
 
+double row_bytes(const rdme::JumpTables& tables) {
+  const std::set<std::shared_ptr<const rdme::JumpTable>> different(tables.of_species.begin(), tables.of_species.end());
+  double bytes = 0.0;
+  for (const auto& table : different) bytes += table ? double(table->bytes()) : 0.0;
+  return bytes;
+}
+
 Measurement with_sampler(const Problem& problem, scene::Sampler method, double dt, double seconds) {
   const rdme::Network network(problem.scene);
   const auto voxels = lattice(problem.cells, network.species());
@@ -40,11 +49,13 @@ Measurement with_sampler(const Problem& problem, scene::Sampler method, double d
   rdme::open_ledger(state, network);
   const double before = allocated_bytes();
   auto sampler = voxels.size() == 1 ? rdme::make_well_sampler(method, network) : rdme::make_sampler(method, network);
-  sampler->bind(voxels, state);
+  const auto tables = sampler->prepare(voxels);
+  sampler->bind(voxels, state, tables);
   std::uint64_t step = 0;
   sampler->advance(0, dt, rdme::Process::both, {1, 0}, step++);
   Measurement measurement;
-  measurement.bytes_per_voxel = (allocated_bytes() - before) / double(voxels.size());
+  measurement.row_bytes_per_voxel = row_bytes(*tables) / double(voxels.size());
+  measurement.bytes_per_voxel = (allocated_bytes() - before) / double(voxels.size()) - measurement.row_bytes_per_voxel;
   const auto done = events_of(state);
   const double start = base::cpu_seconds();
   do {

@@ -8,10 +8,12 @@
 namespace shmoo::run::bench {
 
 struct Measurement {
-  double rate = 0;             // [unit]
-  double cpu_seconds = 0;      // spent on what is counted
-  double bytes_per_voxel = 0;  // that the method holds beyond the voxels themselves, or of a flow per particle
-  std::string check;           // what was looked at and its value
+  double rate = 0;         // [unit]
+  double cpu_seconds = 0;  // spent on what is counted
+  // What the method holds beyond the voxels themselves and their neighbour rows, or of a flow per particle; and the
+  // rows.
+  double bytes_per_voxel = 0, row_bytes_per_voxel = 0;
+  std::string check;  // what was looked at and its value
   bool right = true;
 };
 

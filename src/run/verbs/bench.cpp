@@ -48,6 +48,7 @@ void print_json(const bench::Workload& work, const bench::Measurement& m) {
                                {"unit", work.unit},
                                {"cpu_seconds", m.cpu_seconds},
                                {"bytes_per_voxel", m.bytes_per_voxel},
+                               {"row_bytes_per_voxel", m.row_bytes_per_voxel},
                                {"check", m.check},
                                {"right", m.right}};
   fmt::print("{}\n", line.dump());

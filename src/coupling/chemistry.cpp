@@ -6,7 +6,7 @@ Chemistry::Chemistry(const scene::Scene& scene, const rdme::Network& network, co
     : scene_(scene), network_(network), key_(key) {
   for (const auto& species : scene.species) {
     if (species.method == scene::SpeciesMethod::stochastic) {
-      if (!sampler_) sampler_ = rdme::make_sampler(scene.numerics.sampler, network);
+      if (!sampler_) sampler_ = rdme::make_sampler(scene.numerics, network);
     } else if (!solver_) {
       solver_ = std::make_unique<rdme::DeterministicSolver>(network, scene.numerics.tolerance);
     }

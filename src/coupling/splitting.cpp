@@ -24,6 +24,14 @@ bool kinds_meet(const rdme::Network& network) {
   return false;
 }
 
+// Whether any sampled molecule jumps, enters or leaves.
+bool anything_moves(const scene::Scene& scene) {
+  if (scene.effects.flow || !scene.boundaries.empty() || !scene.inflows.empty()) return true;
+  return std::any_of(scene.species.begin(), scene.species.end(), [](const auto& species) {
+    return species.method == scene::SpeciesMethod::stochastic && species.diffusivity > 0.0;
+  });
+}
+
 // Events per volume and time of mass action.
 template <class Reaction>
 double mass_action(const Reaction& reaction, const std::vector<double>& reference) {
@@ -90,18 +98,15 @@ std::vector<double> turnover(const scene::Scene& scene, const std::vector<double
 
 Step splitting_step(const scene::Scene& scene, const rdme::Network& network) {
   if (scene.numerics.splitting_step) return {*scene.numerics.splitting_step, "as given by numerics.splitting_step"};
-  const bool split_sampler = scene.numerics.sampler == scene::Sampler::split && network.any_sampled();
-  const bool time_dependent = network.sampled_rates_change_in_time() && !rdme::samples_events(scene.numerics.sampler);
-  if (!split_sampler && !kinds_meet(network) && !time_dependent) {
+  const bool in_turns = rdme::takes_turns(scene.numerics.sampler) && network.any_sampled() && anything_moves(scene);
+  if (!in_turns && !kinds_meet(network)) {
     return {std::numeric_limits<double>::infinity(),
             "nothing is split: every process of this scene is advanced as one"};
   }
   const auto [rate, name] = fastest_reaction(network, reference_concentrations(scene));
-  const double fallback = 0.1 * scene.run.record_every;
-  if (rate == 0.0) return {fallback, "a tenth of run.record_every, as no rate constant tells a time scale"};
+  if (rate == 0.0)
+    return {0.1 * scene.run.record_every, "a tenth of run.record_every, as no rate constant tells a time scale"};
   const double step = part_of_time_scale / rate;
-  if (time_dependent && fallback < step)
-    return {fallback, "a tenth of run.record_every, as a sampled rate changes in time"};
   return {step, fmt::format("{:g} of the time scale of the fastest reaction, {}", part_of_time_scale, name)};
 }
 

@@ -52,7 +52,7 @@ class StageBuilder {
       : geometry_(geometry), network_(network) {
     for (const auto& species : scene.species) {
       if (species.method != scene::SpeciesMethod::stochastic || sampler_) continue;
-      sampler_ = rdme::make_sampler(scene.numerics.sampler, network);
+      sampler_ = rdme::make_sampler(scene.numerics, network);
     }
   }
 

@@ -4,27 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/error.hpp"
 #include "coupling/schedule.hpp"
 
 namespace shmoo::coupling {
-namespace {
-
-template <int D>
-std::vector<std::array<double, 3>> places_of(const std::vector<base::Vec<D>>& start) {
-  std::vector<std::array<double, 3>> places;
-  for (const auto& x : start) {
-    auto& place = places.emplace_back();
-    for (int a = 0; a < D; ++a) place[std::size_t(a)] = x[a];
-  }
-  return places;
-}
-
-double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-}  // namespace
 
 template <int D>
 Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder, const std::vector<double>& times,
@@ -36,7 +20,6 @@ Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder,
       chemistry_step_(chemistry_step.value),
       flow_(std::move(flow)),
       capacity_(builder.geometry().capacities(start)),
-      rates_(scene, builder.network(), places_of(start), total(capacity_) * scene.depth),
       cell_(cell) {
   if (flow_) flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
@@ -70,7 +53,7 @@ Interval<D> Timeline<D>::next(double t, double target) {
   if (flow_ && steady_since_ < 0.0) return next_moving(t, target);
   Interval<D> interval;
   interval.begin = t;
-  interval.end = rates_.latest(t, interval_end(t, chemistry_step_, target));
+  interval.end = interval_end(t, chemistry_step_, target);
   interval.stage = standing_;
   return interval;
 }
@@ -80,7 +63,7 @@ template <int D>
 Interval<D> Timeline<D>::next_moving(double t, double target) {
   Interval<D> interval;
   interval.begin = t;
-  interval.end = rates_.latest(t, interval_end(t, std::min(chemistry_step_, flow_->interval()), target));
+  interval.end = interval_end(t, std::min(chemistry_step_, flow_->interval()), target);
   if (!builder_.has_chemistry()) {
     flow_->advance(interval.end, nullptr);
     return interval;

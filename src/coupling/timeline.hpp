@@ -10,7 +10,6 @@
 #include "coupling/frame.hpp"
 #include "coupling/geometry.hpp"
 #include "coupling/live_flow.hpp"
-#include "coupling/rate_watch.hpp"
 #include "coupling/splitting.hpp"
 #include "coupling/stage.hpp"
 
@@ -58,8 +57,7 @@ class Timeline {
   const std::vector<double>& times_;
   double chemistry_step_;
   std::unique_ptr<LiveFlow<D>> flow_;
-  std::vector<double> capacity_;  // [m^D] now
-  RateWatch rates_;
+  std::vector<double> capacity_;                      // [m^D] now
   std::shared_ptr<const Stage<D>> start_, standing_;  // standing_: stage of all further intervals, where nothing moves
   FlowPicture<D> picture_;
   double cell_, steady_since_ = -1.0, capacity_deviation_ = 0.0;

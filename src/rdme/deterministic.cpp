@@ -1,54 +1,23 @@
 #include "rdme/deterministic.hpp"
 
-#include <cvode/cvode.h>
-#include <cvode/cvode_ls.h>
 #include <fmt/format.h>
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_spgmr.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 
 #include "base/error.hpp"
+#include "rdme/integrator.hpp"
 #include "rdme/rate_system.hpp"
 
 namespace shmoo::rdme {
 namespace {
 
 constexpr double share_of_largest = 0.01, share_of_molecule = 0.01;  // of the absolute tolerance
-constexpr int krylov_dimension = 20;
+constexpr double stiff = 10;                                         // times a reaction could run within an advance
+constexpr double products = 100;      // with the Jacobian, whose work may go into its factors
+constexpr double least_step = 1e-18;  // of an advance; what blows up would end in ever shorter ones
 constexpr long most_steps = 1000000;  // of one advance
-
-struct Context {
-  SUNContext value = nullptr;
-  Context() { SUNContext_Create(nullptr, &value); }
-  ~Context() { SUNContext_Free(&value); }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-};
-
-// Vector, linear solver and integrator of one size.
-struct Integrator {
-  N_Vector y, allowed;
-  SUNLinearSolver linear;
-  void* memory;
-  std::string message;  // of the last error
-
-  Integrator(std::size_t size, SUNContext context)
-      : y(N_VNew_Serial(static_cast<sunindextype>(size), context)),
-        allowed(N_VNew_Serial(static_cast<sunindextype>(size), context)),
-        linear(SUNLinSol_SPGMR(y, SUN_PREC_NONE, krylov_dimension, context)),
-        memory(CVodeCreate(CV_BDF, context)) {}
-  ~Integrator() {
-    CVodeFree(&memory);
-    SUNLinSolFree(linear);
-    N_VDestroy(allowed);
-    N_VDestroy(y);
-  }
-  Integrator(const Integrator&) = delete;
-  Integrator& operator=(const Integrator&) = delete;
-};
 
 }  // namespace
 
@@ -66,8 +35,9 @@ struct DeterministicSolver::Solver {
   const Network& network;
   double tolerance;
   RateSystem system;
-  Context context;
-  std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<Integrator> integrator;  // made for `process`; null: to be made
+  SparseJacobian jacobian;                 // where it is solved directly
+  std::vector<Entry> entries;              // of it
   std::exception_ptr error;
   const Voxels* voxels = nullptr;
   State* state = nullptr;
@@ -81,9 +51,12 @@ struct DeterministicSolver::Solver {
   std::vector<double> amounts;       // as written to the state
   std::vector<std::int64_t> counts;  // as they stood
   std::vector<double> books;         // as already in the ledger
+  std::vector<double> lifted;        // amounts and books without negative amounts
 
-  void create();
-  bool goes_on(double t, Process now) const;
+  void create(double t, double dt);
+  bool may_be_stiff(double t, double dt);
+  bool solve_directly(double t, double dt);
+  bool goes_on(double t) const;
   void start(double t, double dt);
   void step(double t, double dt);
   void write();
@@ -109,8 +82,32 @@ void keep_message(int, const char*, const char*, char* message, void* integrator
 
 }  // namespace
 
-void DeterministicSolver::Solver::create() {
-  integrator = std::make_unique<Integrator>(system.size(), context.value);
+// Factors are worth what they cost where a reaction could run many times within dt, as it would if every species were
+// as abundant as the most abundant one.
+bool DeterministicSolver::Solver::may_be_stiff(double t, double dt) {
+  if (!network.any_integrated() || process == Process::diffusion) return false;
+  const double most = *std::ranges::max_element(state->amount);
+  const std::vector<double> crowd(system.size(), std::max(1.0, most));
+  system.act_on(Process::reactions);
+  const bool known = guarded(error, [&] { system.jacobian(t, crowd.data(), entries); }) == 0;
+  system.act_on(process);
+  if (!known) return true;  // a law that is undefined for such a crowd
+  double fastest = 0;
+  for (const Entry& entry : entries) {
+    if (entry.row == entry.column) fastest = std::max(fastest, std::abs(entry.value));
+  }
+  return fastest * dt >= stiff;
+}
+
+bool DeterministicSolver::Solver::solve_directly(double t, double dt) {
+  if (!may_be_stiff(t, dt)) return false;
+  system.jacobian(t, nullptr, entries);
+  jacobian.learn(system.size(), entries);
+  return jacobian.factors_within(products);
+}
+
+void DeterministicSolver::Solver::create(double begin, double dt) {
+  integrator = std::make_unique<Integrator>(system.size(), solve_directly(begin, dt) ? &jacobian : nullptr);
   void* const memory = integrator->memory;
   const auto derivative = [](double t, N_Vector y, N_Vector dy, void* self) {
     Solver& solver = *static_cast<Solver*>(self);
@@ -123,19 +120,31 @@ void DeterministicSolver::Solver::create() {
       solver.system.derivative_along(t, N_VGetArrayPointer(y), N_VGetArrayPointer(v), N_VGetArrayPointer(out));
     });
   };
+  const auto matrix = [](double t, N_Vector y, N_Vector, SUNMatrix out, void* self, N_Vector, N_Vector, N_Vector) {
+    Solver& solver = *static_cast<Solver*>(self);
+    return guarded(solver.error, [&] {
+      solver.system.jacobian(t, N_VGetArrayPointer(y), solver.entries);
+      copy_structure(solver.jacobian, out);
+      solver.jacobian.fill(solver.entries, SUNSparseMatrix_Data(out));
+    });
+  };
   N_VConst(0.0, integrator->y);
   N_VConst(1.0, integrator->allowed);
   CVodeInit(memory, derivative, 0.0, integrator->y);
   CVodeSetUserData(memory, this);
   CVodeSetErrHandlerFn(memory, keep_message, integrator.get());
   CVodeSVtolerances(memory, tolerance, integrator->allowed);
-  CVodeSetLinearSolver(memory, integrator->linear, nullptr);
-  CVodeSetJacTimes(memory, nullptr, along);
+  CVodeSetLinearSolver(memory, integrator->linear, integrator->matrix);
+  if (integrator->matrix) {
+    CVodeSetJacFn(memory, matrix);
+  } else {
+    CVodeSetJacTimes(memory, nullptr, along);
+  }
   CVodeSetMaxNumSteps(memory, most_steps);
 }
 
-bool DeterministicSolver::Solver::goes_on(double t, Process now) const {
-  return !fresh && std::abs(t - reached) <= 1e-12 * std::abs(t) && now == process && amounts == state->amount &&
+bool DeterministicSolver::Solver::goes_on(double t) const {
+  return !fresh && std::abs(t - reached) <= 1e-12 * std::abs(t) && amounts == state->amount &&
          (!reads_counts || counts == state->count);
 }
 
@@ -159,6 +168,7 @@ void DeterministicSolver::Solver::start(double t, double dt) {
   books.assign(system.size() - unknowns, 0.0);
   system.check_signs(t, dt, y, tolerance);
   CVodeReInit(integrator->memory, t, integrator->y);
+  CVodeSetMinStep(integrator->memory, least_step * dt);
   CVodeSVtolerances(integrator->memory, tolerance, integrator->allowed);
 }
 
@@ -179,7 +189,10 @@ void DeterministicSolver::Solver::step(double t, double dt) {
 void DeterministicSolver::Solver::write() {
   const std::vector<int>& species = system.species();
   const std::size_t stride = species.size();
-  const double* const y = N_VGetArrayPointer(integrator->y);
+  const double* const reached_y = N_VGetArrayPointer(integrator->y);
+  lifted.assign(reached_y, reached_y + system.size());
+  system.lift_negatives(lifted.data());
+  const double* const y = lifted.data();
   for (std::size_t i = 0; i < voxels->size(); ++i) {
     for (std::size_t d = 0; d < stride; ++d) state->amount[i * state->species + species[d]] = y[i * stride + d];
   }
@@ -204,12 +217,11 @@ std::uint64_t DeterministicSolver::evaluations() const { return solver_->evaluat
 
 void DeterministicSolver::bind(const Voxels& voxels, State& state) {
   Solver& solver = *solver_;
-  const std::size_t before = solver.system.size();
   solver.voxels = &voxels;
   solver.state = &state;
+  const std::size_t before = solver.system.size();
   solver.system.bind(voxels, state);
-  if (solver.system.species().empty()) return;
-  if (!solver.integrator || solver.system.size() != before) solver.create();
+  if (solver.integrator && (solver.integrator->matrix || solver.system.size() != before)) solver.integrator.reset();
   solver.fresh = true;
 }
 
@@ -217,13 +229,17 @@ void DeterministicSolver::advance(double t, double dt, Process process) {
   Solver& solver = *solver_;
   if (solver.system.species().empty() || solver.voxels->size() == 0 || dt <= 0) return;
   solver.system.act_on(process);
-  if (!solver.goes_on(t, process)) solver.start(t, dt);
+  if (!solver.integrator || process != solver.process) {
+    solver.process = process;
+    solver.create(t, dt);
+    solver.fresh = true;
+  }
+  if (!solver.goes_on(t)) solver.start(t, dt);
   solver.fresh = true;  // until it has gone well
   solver.step(t, dt);
   solver.write();
   solver.fresh = false;
   solver.reached = t + dt;
-  solver.process = process;
   solver.amounts = solver.state->amount;
   if (solver.reads_counts) solver.counts = solver.state->count;
 }

@@ -1,10 +1,13 @@
 #pragma once
 // Deterministic reaction-diffusion of the amounts of deterministic species, by CVODE (SUNDIALS: Hindmarsh et al. 2005,
-// ACM TOMS 31, 363): backward differentiation, Newton's method and GMRES with exact Jacobian products.
+// ACM TOMS 31, 363): backward differentiation and Newton's method with the exact Jacobian. Its linear systems are
+// solved by sparse factors (KLU: Davis & Palamadai Natarajan 2010, ACM TOMS 37, 36) where reactions may be stiff and
+// factors fill in little, else by GMRES with exact products.
 //
 // Errors. Each step's error in an amount is at most `tolerance` times (the amount + 1 % of the species' largest amount
-// in any voxel + 0.01 molecules). Amounts may fall below zero by that much and are left so: lifting them would create
-// molecules. The sum of amounts and the ledger agree to round-off, whatever the tolerance.
+// in any voxel + 0.01 molecules). What falls below zero by that much is given back what took too much of it, by the
+// network's own reactions and jumps, so that no negative amount is seen and nothing is created. The sum of amounts and
+// the ledger agree to round-off, whatever the tolerance.
 #include <memory>
 #include <vector>
 

@@ -121,10 +121,21 @@ void RateSystem::add(int reaction, std::size_t voxel, double rate, double* dy) c
   }
 }
 
+// Amounts a little below zero are the integrator's tolerance. One of them turns a reaction round, which lifts it. Two
+// would multiply to a rate that drives both down without bound: -1 then, to turn it round as well, else 1.
+double RateSystem::turn(const Law& law, std::size_t voxel, const double* y) const {
+  int negative = 0;
+  for (std::uint32_t f = law.first; f < law.last; ++f) {
+    const Factor& factor = laws_.factors[f];
+    if (!factor.stochastic && y[voxel * species_.size() + place_of_[factor.species]] < 0) negative += factor.count;
+  }
+  return negative > 0 && negative % 2 == 0 ? -1.0 : 1.0;
+}
+
 double RateSystem::rate(const Law& law, int reaction, std::size_t voxel, const double* y) {
   if (law.expression >= 0) return expression_rate(law, reaction, voxel, y);
   const double volume = voxels_->volume[voxel];
-  double a = law.constant * volume_factor(law.order, volume, 1.0 / volume);
+  double a = turn(law, voxel, y) * law.constant * volume_factor(law.order, volume, 1.0 / volume);
   for (std::uint32_t f = law.first; f < law.last; ++f) {
     const Factor& factor = laws_.factors[f];
     if (factor.stochastic) {
@@ -143,7 +154,7 @@ double RateSystem::rate_along(const Law& law, int reaction, std::size_t voxel, c
   if (law.expression < 0) {
     // sum over deterministic factors of nu n^(nu-1) dn times all other factors
     const double volume = voxels_->volume[voxel];
-    double product = law.constant * volume_factor(law.order, volume, 1.0 / volume), slope = 0;
+    double product = turn(law, voxel, y) * law.constant * volume_factor(law.order, volume, 1.0 / volume), slope = 0;
     for (std::uint32_t f = law.first; f < law.last; ++f) {
       const Factor& factor = laws_.factors[f];
       if (factor.stochastic) {

@@ -12,6 +12,7 @@
 
 #include "rdme/laws.hpp"
 #include "rdme/sampler.hpp"
+#include "rdme/sparse_jacobian.hpp"
 
 namespace shmoo::rdme {
 
@@ -34,6 +35,14 @@ class RateSystem {
   void derivative(double t, const double* y, double* dy);                                  // [molecules/s]
   void derivative_along(double t, const double* y, const double* direction, double* out);  // Jacobian times direction
 
+  // The Jacobian at y as a list of entries that are summed; where they are does not depend on y. Without y: zeros.
+  void jacobian(double t, const double* y, std::vector<Entry>& entries);
+
+  // Lifts amounts below zero, which the integration leaves within its tolerance, by undoing what took too much: events
+  // of reactions, else jumps from nearby, else exits, else jumps from anywhere. Amounts and books change together, so
+  // that every conservation law of the network holds after it as before; an amount that nothing took from stays.
+  void lift_negatives(double* y) const;
+
   // Throws base::RunError, naming reaction, voxel and time, where an expression is so far below zero at y that a time
   // dt of it would take more than `allowed` molecules.
   void check_signs(double t, double dt, const double* y, double allowed);
@@ -46,10 +55,14 @@ class RateSystem {
 
   void spread(const double* y, double* dy) const;
   void exchange(const double* y, double* dy, double entries) const;
+  double turn(const Law& law, std::size_t voxel, const double* y) const;
   double rate(const Law& law, int reaction, std::size_t voxel, const double* y);
   double rate_along(const Law& law, int reaction, std::size_t voxel, const double* y, const double* direction);
   double expression_rate(const Law& law, int reaction, std::size_t voxel, const double* y);
   void add(int reaction, std::size_t voxel, double rate, double* dy) const;
+  void transport_entries(std::vector<Entry>& entries) const;
+  void lift(std::size_t voxel, std::size_t place, double* y) const;
+  void lift_by_all(std::size_t place, double* y) const;
 
   const Network& network_;
   Laws laws_;
@@ -59,7 +72,7 @@ class RateSystem {
   const State* state_ = nullptr;
   std::vector<Row> rows_;  // by place
   bool diffusion_ = true, reactions_ = true;
-  std::vector<double> shifted_;
+  std::vector<double> shifted_, direction_;
 };
 
 }  // namespace shmoo::rdme

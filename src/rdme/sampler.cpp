@@ -5,11 +5,12 @@
 #include "rdme/samplers/direct.hpp"
 #include "rdme/samplers/one_well.hpp"
 #include "rdme/samplers/split.hpp"
+#include "rdme/samplers/tau_leaping.hpp"
 
 namespace shmoo::rdme {
 
-std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& network) {
-  switch (method) {
+std::unique_ptr<Sampler> make_sampler(const scene::Numerics& numerics, const Network& network) {
+  switch (numerics.sampler) {
     case scene::Sampler::direct:
       return std::make_unique<Direct>(network);
     case scene::Sampler::composition_rejection:
@@ -17,10 +18,17 @@ std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& netw
     case scene::Sampler::split:
       return std::make_unique<Split>(network);
     case scene::Sampler::tau_leaping:
+      return std::make_unique<TauLeaping>(network, numerics.leap_tolerance);
     case scene::Sampler::automatic:
       break;
   }
-  throw base::InputError("unknown sampler");
+  throw base::InputError("the sampler is undecided; rules must decide before anything runs");
+}
+
+std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& network) {
+  scene::Numerics numerics;
+  numerics.sampler = method;
+  return make_sampler(numerics, network);
 }
 
 std::unique_ptr<Sampler> make_well_sampler(scene::Sampler method, const Network& network) {

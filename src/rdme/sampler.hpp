@@ -3,8 +3,8 @@
 //
 // All methods sample the same process: reactions (network.hpp), jumps along the rows of Voxels::graphs, exits to and
 // Poisson entries from what Voxels::exchanges names. `direct` and `composition_rejection` are exact; `split` takes
-// reactions and diffusion in turns (Strang) and is exact for either alone. These three sample rate laws that contain t
-// exactly, too (propensity.hpp).
+// reactions and diffusion in turns (Strang) and is exact for either alone; `tau_leaping` does the same with reactions
+// in leaps. Rate laws that contain t are sampled exactly, too (propensity.hpp).
 #include <cstdint>
 #include <memory>
 
@@ -17,6 +17,12 @@
 namespace shmoo::rdme {
 
 enum class Process { both, reactions, diffusion };  // what an advance acts on; diffusion includes all exchanges
+
+// Whether reactions and diffusion are sampled in turns, so that a step costs accuracy but its events need not be drawn
+// one by one.
+inline bool takes_turns(scene::Sampler method) {
+  return method == scene::Sampler::split || method == scene::Sampler::tau_leaping;
+}
 
 struct JumpTables;
 
@@ -43,10 +49,8 @@ class Sampler {
   virtual void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) = 0;
 };
 
-// Whether the method samples events one by one.
-inline bool samples_events(scene::Sampler method) { return method != scene::Sampler::tau_leaping; }
-
-// The network must outlive the sampler.
+// The network must outlive the sampler. `method`: which, with default numerics otherwise.
+std::unique_ptr<Sampler> make_sampler(const scene::Numerics& numerics, const Network& network);
 std::unique_ptr<Sampler> make_sampler(scene::Sampler method, const Network& network);
 
 // The same where all is one voxel, without jumps and exchanges.

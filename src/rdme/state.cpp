@@ -53,8 +53,8 @@ std::string imbalance(const State& state, const Network& network, double toleran
     }
     const Account<double>& account = state.ledger.amounts[s];
     const double found = total_amount(state, species), expected = account.expected();
-    const double handled =
-        std::abs(account.initial) + account.created + account.destroyed + account.entered + account.left;
+    const double handled = 1.0 + std::abs(account.initial) + std::abs(account.created) + std::abs(account.destroyed) +
+                           account.entered + std::abs(account.left);
     if (!(std::abs(found - expected) <= tolerance * handled)) {
       return fmt::format("{}: {} molecules found, {} expected by the ledger, off by {} of all that was handled",
                          network.name(species), found, expected, std::abs(found - expected) / handled);

@@ -42,7 +42,8 @@ double total_amount(const State& state, int species);
 // Takes what is there now as what the ledger starts from.
 void open_ledger(State& state, const Network& network);
 
-// Does the ledger account for every molecule? Exact for counts, to `tolerance` of all that ever was there for amounts.
+// Does the ledger account for every molecule? Exact for counts, to `tolerance` of all that ever was there, or of a molecule,
+// for amounts.
 // Returns the empty string, or which species is off and by how much.
 std::string imbalance(const State& state, const Network& network, double tolerance = 1e-9);
 

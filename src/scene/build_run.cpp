@@ -86,9 +86,10 @@ void build_numerics(const Section& root, Scene& scene) {
                 numerics.pressure);
     read_choice(
         *section, "sampler",
-        std::array<std::pair<const char*, Sampler>, 3>{{{"direct", Sampler::direct},
+        std::array<std::pair<const char*, Sampler>, 4>{{{"direct", Sampler::direct},
                                                         {"composition_rejection", Sampler::composition_rejection},
-                                                        {"split", Sampler::split}}},
+                                                        {"split", Sampler::split},
+                                                        {"tau_leaping", Sampler::tau_leaping}}},
         numerics.sampler);
     read_choice(
         *section, "splitting",
@@ -102,6 +103,7 @@ void build_numerics(const Section& root, Scene& scene) {
     numerics.courant = section->number("courant").value_or(numerics.courant);
     numerics.splitting_step = section->quantity("splitting_step");
     numerics.tolerance = section->number("tolerance").value_or(numerics.tolerance);
+    numerics.leap_tolerance = section->number("leap_tolerance").value_or(numerics.leap_tolerance);
     numerics.steady_tolerance = section->number("steady_tolerance");
   }
   check_reach(root, scene);

@@ -1,43 +1,12 @@
 // Deterministic reaction-diffusion: exact solutions, conservation to round-off, and reactions between both kinds of
 // species.
-#include "rdme/deterministic.hpp"
-
 #include <numbers>
 
 #include "base/error.hpp"
-#include "trial.hpp"
+#include "continuum.hpp"
 
 namespace shmoo::rdme {
 namespace {
-
-constexpr auto deterministic = scene::SpeciesMethod::deterministic;
-
-struct Continuum {
-  Network network;
-  Voxels voxels;
-  State state;
-  DeterministicSolver solver;
-  double t = 0;
-
-  Continuum(const scene::Scene& scene, Voxels on, double tolerance = 1e-6)
-      : network(scene), voxels(std::move(on)), state(empty_state(network, voxels.size())), solver(network, tolerance) {}
-
-  Continuum(const Continuum&) = delete;
-
-  void begin() {
-    open_ledger(state, network);
-    solver.bind(voxels, state);
-  }
-
-  void run(double until, double dt, Process process = Process::both) {
-    while (t < until * (1 - 1e-12)) {
-      const double now = std::min(dt, until - t);
-      solver.advance(t, now, process);
-      t += now;
-    }
-    EXPECT_EQ(imbalance(state, network), "");
-  }
-};
 
 TEST(Deterministic, DiffusionOnARowIsExact) {
   const int n = 9, from = 3;
@@ -72,24 +41,6 @@ TEST(Deterministic, PairsVanishAtTwiceTheRateConstant) {
   const double exact = 1000.0 / (1 + 2 * 0.3 * 1000.0 / 5.0 * 0.1);
   EXPECT_NEAR(run.state.amount[a], exact, 1e-4 * exact);
   EXPECT_NEAR(run.state.amount[a] + 2 * run.state.amount[b], 1000.0, 1e-9);
-}
-
-// Robertson's stiff kinetics (1966); reference values at t = 40 from Hairer and Wanner, Solving Ordinary Differential
-// Equations II (1996), and the CVODE documentation: 0.7158, 9.185e-6, 0.2842.
-TEST(Deterministic, StiffKinetics) {
-  scene::Scene scene = water();
-  const int a = add_species(scene, "A", 0, deterministic), b = add_species(scene, "B", 0, deterministic),
-            c = add_species(scene, "C", 0, deterministic);
-  add_reaction(scene, "slow", {{a, 1}}, {{b, 1}}, 0.04);
-  add_reaction(scene, "fast", {{b, 2}}, {{b, 1}, {c, 1}}, 3e7);
-  add_reaction(scene, "back", {{b, 1}, {c, 1}}, {{a, 1}, {c, 1}}, 1e4);
-  Continuum run(scene, lattice({1, 1, 1}, false, 1e9, 3), 1e-7);
-  run.state.amount = {1e9, 0.0, 0.0};
-  run.begin();
-  run.run(40.0, 10.0);
-  EXPECT_NEAR(run.state.amount[a] * 1e-9, 0.7158, 5e-5);
-  EXPECT_NEAR(run.state.amount[b] * 1e-9, 9.185e-6, 5e-9);
-  EXPECT_NEAR(total_amount(run.state, a) + total_amount(run.state, b) + total_amount(run.state, c), 1e9, 1e-3);
 }
 
 TEST(Deterministic, ConservesToRoundOffAtAnyTolerance) {

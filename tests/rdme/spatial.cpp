@@ -11,7 +11,7 @@ namespace {
 class Spatial : public testing::TestWithParam<scene::Sampler> {
  protected:
   // The step that keeps the splitting error below what these tests see; exact methods take what they like.
-  double step(double exact, double split) const { return GetParam() == scene::Sampler::split ? split : exact; }
+  double step(double exact, double split) const { return takes_turns(GetParam()) ? split : exact; }
 };
 
 scene::Scene walkers() {

@@ -1,4 +1,4 @@
-// Rates that contain t, by every method that samples events: the laws of births and deaths at k(t) are known.
+// Rates that contain t, by every method: the laws of births and deaths at k(t) are known.
 #include "rdme/time/steps_of.hpp"
 #include "rdme/time/timed_rate.hpp"
 #include "trial.hpp"
@@ -108,10 +108,7 @@ TEST_P(TimedRates, RefuseWhatIsInvalidInMidRun) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Method, TimedRates,
-                         testing::Values(scene::Sampler::direct, scene::Sampler::composition_rejection,
-                                         scene::Sampler::split),
-                         method_name);
+INSTANTIATE_TEST_SUITE_P(Method, TimedRates, every_method, method_name);
 
 TEST(StepsOf, FindsComparisonsAndRoundings) {
   const auto steps = steps_of("k*(t >= a+1 && f(t, 2) < b ? 1 : sign(t-3))");

@@ -58,11 +58,11 @@ inline void expect_variance(const Sample& sample, double variance) {
   EXPECT_NEAR(sample.variance(), variance, errors_allowed * sample.variance_error() + 1e-12);
 }
 
-inline const auto every_method =
-    testing::Values(scene::Sampler::direct, scene::Sampler::composition_rejection, scene::Sampler::split);
+inline const auto every_method = testing::Values(scene::Sampler::direct, scene::Sampler::composition_rejection,
+                                                 scene::Sampler::split, scene::Sampler::tau_leaping);
 
 inline std::string method_name(const testing::TestParamInfo<scene::Sampler>& info) {
-  const char* const names[] = {"direct", "composition_rejection", "split"};
+  const char* const names[] = {"direct", "composition_rejection", "split", "tau_leaping"};
   return names[static_cast<int>(info.param)];
 }
 

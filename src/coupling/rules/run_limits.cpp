@@ -6,6 +6,7 @@
 
 #include "coupling/rules/limits.hpp"
 #include "coupling/rules/settling.hpp"
+#include "rdme/sampler.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -63,7 +64,7 @@ Limit event_time(const scene::Scene& scene, const Numbers& numbers, const Pace& 
 
 void judge_run_limits(const scene::Scene& scene, const Numbers& numbers, const Pace& pace, std::vector<Limit>& limits) {
   if (scene.effects.flow && std::isfinite(numbers.flow.step)) limits.push_back(flow_time(scene, numbers, pace));
-  if (scene.numerics.sampler != scene::Sampler::split && event_rate(scene, numbers) > 0.0)
+  if (!rdme::takes_turns(scene.numerics.sampler) && event_rate(scene, numbers) > 0.0)
     limits.push_back(event_time(scene, numbers, pace));
 }
 

@@ -114,6 +114,7 @@ void add_diffusion(std::vector<Workload>& all, std::uint32_t n) {
   add(all, name, "exact-composition-rejection", problem, scene::Sampler::composition_rejection, portion(60.0 * voxels));
   for (const double jumps : {0.6, 3.0})
     add(all, name, fmt::format("split-{:g}-jumps", jumps), problem, scene::Sampler::split, jumps / 6.0);
+  add(all, name, "tau-3-jumps", problem, scene::Sampler::tau_leaping, 0.5);
 }
 
 void add_binding(std::vector<Workload>& all, std::uint32_t n) {
@@ -125,6 +126,7 @@ void add_binding(std::vector<Workload>& all, std::uint32_t n) {
       portion(360.0 * voxels));
   for (const double jumps : {0.06, 0.6, 3.0})
     add(all, name, fmt::format("split-{:g}-jumps", jumps), problem, scene::Sampler::split, jumps / 6.0);
+  add(all, name, "tau-0.6-jumps", problem, scene::Sampler::tau_leaping, 0.1);
 }
 
 // All species of the ring are equal: multinomial over them as over voxels.
@@ -151,15 +153,17 @@ std::vector<Workload> chemistry_workloads() {
   std::vector<Workload> all;
   for (const std::uint32_t n : {10u, 30u, 60u, 100u}) add_diffusion(all, n);
   for (const std::uint32_t n : {10u, 30u, 60u}) add_binding(all, n);
-  const Problem dimer{dimer_scene(0.01, 1.0), {1, 1, 1}, 5000.0, "2 M <-> D in equilibrium", dimer_deviation};
+  const Problem dimer{dimer_scene(0.01, 1.0), {1, 1, 1}, 1e5 / 3.0, "2 M <-> D in equilibrium", dimer_deviation};
   for (const int n : {10, 100}) {
     const Problem ring{ring_scene(n), {1, 1, 1}, 1000.0, "multinomial over the species", spread_over_species};
     add(all, fmt::format("ring-{}", n), "direct", ring, scene::Sampler::direct, portion(1000.0 * n));
     add(all, fmt::format("ring-{}", n), "exact-composition-rejection", ring, scene::Sampler::composition_rejection,
         portion(1000.0 * n));
+    add(all, fmt::format("ring-{}", n), "tau", ring, scene::Sampler::tau_leaping, 10.0);
   }
-  add(all, "dimer", "direct", dimer, scene::Sampler::direct, portion(1e4));
-  add(all, "dimer", "exact-composition-rejection", dimer, scene::Sampler::composition_rejection, portion(1e4));
+  add(all, "dimer", "direct", dimer, scene::Sampler::direct, portion(1e5));
+  add(all, "dimer", "exact-composition-rejection", dimer, scene::Sampler::composition_rejection, portion(1e5));
+  add(all, "dimer", "tau", dimer, scene::Sampler::tau_leaping, 10.0);
   return all;
 }
 

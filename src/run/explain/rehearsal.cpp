@@ -5,6 +5,7 @@
 
 #include "base/clock.hpp"
 #include "coupling/rules/settling.hpp"
+#include "rdme/sampler.hpp"
 #include "run/explain/memory.hpp"
 #include "run/recorder.hpp"
 
@@ -65,7 +66,7 @@ Play choose_play(const scene::Scene& scene, const coupling::Numbers& numbers, co
       if (!carried) play.scene.run.record_at.clear();
     }
   }
-  if (!play.scene.numerics.splitting_step && only_sampled(scene) && scene.numerics.sampler != scene::Sampler::split)
+  if (!play.scene.numerics.splitting_step && only_sampled(scene) && !rdme::takes_turns(scene.numerics.sampler))
     play.scene.numerics.splitting_step = play.scene.run.until / finest;  // exact samplers go on where they stop
   return play;
 }

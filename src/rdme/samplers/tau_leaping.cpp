@@ -14,7 +14,7 @@ constexpr std::uint32_t worth_threads = 2 * voxels_per_sequence;
 
 }  // namespace
 
-TauLeaping::TauLeaping(const Network& network, double tolerance) : network_(network), reactions_(network, tolerance) {
+TauLeaping::TauLeaping(const Network& network, double tolerance) : network_(network), tolerance_(tolerance) {
   if (!(tolerance > 0 && tolerance < 1)) {
     throw base::InputError(fmt::format("the leap tolerance is {}; it must be between 0 and 1", tolerance));
   }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "rdme/samplers/events.hpp"
-
 namespace shmoo::rdme {
 namespace {
 
@@ -166,15 +164,6 @@ bool LeapingReactions::nothing_negative(std::uint32_t voxel) const {
     }
   }
   return true;
-}
-
-void LeapingReactions::close_books() {
-  for (std::size_t r = 0; r < events_.size(); ++r) {
-    if (events_[r] == 0) continue;
-    book_reaction(state_->ledger, network_, network_.reactions()[r], events_[r]);
-    state_->reaction_events += static_cast<std::uint64_t>(events_[r]);
-    events_[r] = 0;
-  }
 }
 
 }  // namespace shmoo::rdme

@@ -15,6 +15,7 @@
 
 #include "base/random.hpp"
 #include "rdme/propensity.hpp"
+#include "rdme/samplers/events.hpp"
 #include "rdme/samplers/leap_condition.hpp"
 #include "rdme/samplers/propensity_rows.hpp"
 
@@ -31,7 +32,7 @@ class LeapingReactions {
   void advance(std::uint32_t voxel, const Window& window, base::RandomSequence& random);
 
   // Books what has happened since the last time.
-  void close_books();
+  void close_books() { rdme::close_books(*state_, network_, events_); }
 
  private:
   void derive(std::uint32_t voxel);

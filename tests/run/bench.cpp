@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "run/bench/lattice_problem.hpp"
 #include "run/bench/next_subvolume.hpp"
@@ -27,6 +29,19 @@ TEST(Bench, MeasuresAWorkloadAndChecksItsLaw) {
   EXPECT_GE(line.at("cpu_seconds").get<double>(), 0.05);
   EXPECT_GT(line.at("bytes_per_voxel").get<double>(), 0.0);
   EXPECT_TRUE(line.at("right").get<bool>());
+}
+
+TEST(Bench, EveryMethodIsRightOnSmallWorkloads) {
+  const auto said = bench({"D3-10", "RD-10", "ring-10", "dimer", "--seconds", "0.05", "--json"});
+  EXPECT_EQ(said.code, run::exit_done) << said.out << said.err;
+  std::istringstream lines(said.out);
+  std::set<std::string> methods;
+  for (std::string line; std::getline(lines, line);) {
+    const auto one = nlohmann::json::parse(line);
+    EXPECT_TRUE(one.at("right").get<bool>()) << line;
+    methods.insert(one.at("method").get<std::string>());
+  }
+  EXPECT_GE(methods.size(), 6U);
 }
 
 TEST(Bench, RefusesWhatItDoesNotKnow) {

@@ -34,8 +34,10 @@ void judge(const Problem& problem, const rdme::Network& network, const rdme::Sta
   measurement.check = lost.empty() ? fmt::format("{}: {:+.2f} standard deviations", problem.law, off) : lost;
 }
 
-double row_bytes(const rdme::JumpTables& tables) {
-  const std::set<std::shared_ptr<const rdme::JumpTable>> different(tables.of_species.begin(), tables.of_species.end());
+double row_bytes(const rdme::JumpTables* tables) {
+  if (!tables) return 0.0;  // the direct method has none
+  const std::set<std::shared_ptr<const rdme::JumpTable>> different(tables->of_species.begin(),
+                                                                   tables->of_species.end());
   double bytes = 0.0;
   for (const auto& table : different) bytes += table ? double(table->bytes()) : 0.0;
   return bytes;
@@ -54,7 +56,7 @@ Measurement with_sampler(const Problem& problem, scene::Sampler method, double d
   std::uint64_t step = 0;
   sampler->advance(0, dt, rdme::Process::both, {1, 0}, step++);
   Measurement measurement;
-  measurement.row_bytes_per_voxel = row_bytes(*tables) / double(voxels.size());
+  measurement.row_bytes_per_voxel = row_bytes(tables.get()) / double(voxels.size());
   measurement.bytes_per_voxel = (allocated_bytes() - before) / double(voxels.size()) - measurement.row_bytes_per_voxel;
   const auto done = events_of(state);
   const double start = base::cpu_seconds();

@@ -12,6 +12,8 @@ find_package(HDF5 1.10 REQUIRED COMPONENTS C)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET GLOBAL tomlplusplus)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET GLOBAL muparser)
+pkg_check_modules(sbml REQUIRED IMPORTED_TARGET GLOBAL libsbml)
+add_library(sbml::sbml ALIAS PkgConfig::sbml)
 add_library(tomlplusplus::tomlplusplus ALIAS PkgConfig::tomlplusplus)
 add_library(muparser::muparser ALIAS PkgConfig::muparser)
 

@@ -12,9 +12,10 @@ if(SHMOO_SANITIZE)
   target_link_options(shmoo_flags INTERFACE -fsanitize=${SHMOO_SANITIZE})
 endif()
 
-# shmoo_room(NAME USES TARGET...): one static library for src/NAME; headers alone make an interface library.
+# shmoo_room(NAME USES TARGET... [HIDES TARGET...]): one static library for src/NAME; headers alone make an interface library.
+# What it hides no header of another room needs.
 function(shmoo_room name)
-  cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "USES;HIDES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   if(NOT sources)
     add_library(shmoo_${name} INTERFACE)
@@ -33,5 +34,5 @@ function(shmoo_room name)
   add_library(shmoo_${name} STATIC ${sources})
   add_library(shmoo::${name} ALIAS shmoo_${name})
   target_include_directories(shmoo_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(shmoo_${name} PUBLIC ${ROOM_USES} PRIVATE shmoo_flags)
+  target_link_libraries(shmoo_${name} PUBLIC ${ROOM_USES} PRIVATE shmoo_flags ${ROOM_HIDES})
 endfunction()

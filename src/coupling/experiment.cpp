@@ -11,6 +11,8 @@
 #include "coupling/rules/judgement.hpp"
 #include "coupling/schedule.hpp"
 #include "coupling/timeline.hpp"
+#include "coupling/well_mixed.hpp"
+#include "scene/well.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -183,6 +185,7 @@ class ExperimentOf final : public Experiment {
 
 std::unique_ptr<Experiment> make_experiment(scene::Scene scene) {
   auto judgement = judge(std::move(scene));
+  if (scene::well_mixed(judgement.scene)) return make_well_mixed(std::move(judgement));
   switch (judgement.scene.dimension) {
     case 1:
       return std::make_unique<ExperimentOf<1>>(std::move(judgement));

@@ -41,6 +41,7 @@ struct DeterministicSolver::Solver {
   std::exception_ptr error;
   const Voxels* voxels = nullptr;
   State* state = nullptr;
+  RootWatch* watch = nullptr;
   bool reads_counts = false;  // integrated reactions read stochastic counts
   std::uint64_t evaluations = 0;
 
@@ -59,6 +60,7 @@ struct DeterministicSolver::Solver {
   bool goes_on(double t) const;
   void start(double t, double dt);
   void step(double t, double dt);
+  void write_amounts(const double* y);
   void write();
 };
 
@@ -141,6 +143,15 @@ void DeterministicSolver::Solver::create(double begin, double dt) {
     CVodeSetJacTimes(memory, nullptr, along);
   }
   CVodeSetMaxNumSteps(memory, most_steps);
+  if (!watch || watch->roots() == 0) return;
+  CVodeRootInit(memory, watch->roots(), [](double t, N_Vector y, double* values, void* self) {
+    Solver& solver = *static_cast<Solver*>(self);
+    return guarded(solver.error, [&] {
+      solver.write_amounts(N_VGetArrayPointer(y));
+      solver.watch->distances(t, *solver.state, values);
+    });
+  });
+  CVodeSetNoInactiveRootWarn(memory);
 }
 
 bool DeterministicSolver::Solver::goes_on(double t) const {
@@ -183,7 +194,16 @@ void DeterministicSolver::Solver::step(double t, double dt) {
                     "many orders of magnitude apart, are the usual reasons.",
                     now, integrator->message));
   }
-  system.check_signs(t + dt, dt, N_VGetArrayPointer(integrator->y), tolerance);
+  system.check_signs(now, dt, N_VGetArrayPointer(integrator->y), tolerance);
+  reached = flag == CV_ROOT_RETURN ? now : t + dt;
+}
+
+void DeterministicSolver::Solver::write_amounts(const double* y) {
+  const std::vector<int>& species = system.species();
+  const std::size_t stride = species.size();
+  for (std::size_t i = 0; i < voxels->size(); ++i) {
+    for (std::size_t d = 0; d < stride; ++d) state->amount[i * state->species + species[d]] = y[i * stride + d];
+  }
 }
 
 void DeterministicSolver::Solver::write() {
@@ -193,9 +213,7 @@ void DeterministicSolver::Solver::write() {
   lifted.assign(reached_y, reached_y + system.size());
   system.lift_negatives(lifted.data());
   const double* const y = lifted.data();
-  for (std::size_t i = 0; i < voxels->size(); ++i) {
-    for (std::size_t d = 0; d < stride; ++d) state->amount[i * state->species + species[d]] = y[i * stride + d];
-  }
+  write_amounts(y);
   const double* const book = y + system.unknowns();
   for (std::size_t d = 0; d < stride; ++d) {
     Account<double>& account = state->ledger.amounts[species[d]];
@@ -225,9 +243,9 @@ void DeterministicSolver::bind(const Voxels& voxels, State& state) {
   solver.fresh = true;
 }
 
-void DeterministicSolver::advance(double t, double dt, Process process) {
+double DeterministicSolver::advance(double t, double dt, Process process) {
   Solver& solver = *solver_;
-  if (solver.system.species().empty() || solver.voxels->size() == 0 || dt <= 0) return;
+  if (solver.system.species().empty() || solver.voxels->size() == 0 || dt <= 0) return t + dt;
   solver.system.act_on(process);
   if (!solver.integrator || process != solver.process) {
     solver.process = process;
@@ -239,9 +257,13 @@ void DeterministicSolver::advance(double t, double dt, Process process) {
   solver.step(t, dt);
   solver.write();
   solver.fresh = false;
-  solver.reached = t + dt;
   solver.amounts = solver.state->amount;
   if (solver.reads_counts) solver.counts = solver.state->count;
+  return solver.reached;
 }
+
+void DeterministicSolver::watch(RootWatch* watch) { solver_->watch = watch; }
+
+void DeterministicSolver::parameters_changed() { solver_->fresh = true; }
 
 }  // namespace shmoo::rdme

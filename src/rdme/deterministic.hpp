@@ -15,6 +15,14 @@
 
 namespace shmoo::rdme {
 
+// Functions of time and state whose changes of sign end an advance.
+class RootWatch {
+ public:
+  virtual ~RootWatch() = default;
+  virtual int roots() const = 0;
+  virtual void distances(double t, const State& state, double* values) = 0;
+};
+
 class DeterministicSolver {
  public:
   // `tolerance` relative, > 0. The network must outlive the solver.
@@ -27,7 +35,14 @@ class DeterministicSolver {
   // From time t to t + dt [s] at frozen geometry; stochastic counts are constant and may be read by integrated
   // reactions. Goes on with the steps found before where nobody changed anything in between. Throws base::RunError
   // where a rate law gives no finite number or is negative, or where the integration cannot go on.
-  void advance(double t, double dt, Process process);
+  // Returns the time reached: where a watched function has changed its sign, or t + dt.
+  double advance(double t, double dt, Process process);
+
+  // Whose functions are looked at from now on; null: nobody's. To be called before bind().
+  void watch(RootWatch* watch);
+
+  // Parameters were changed by someone else.
+  void parameters_changed();
 
   std::uint64_t evaluations() const;  // of the right-hand side, so far
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "rdme/network.hpp"
+#include "rdme/state.hpp"
 
 namespace shmoo::rdme {
 namespace {
@@ -37,6 +39,23 @@ Expression::Expression(const std::string& text, const ExpressionNames& names)
   }
   reads_time_ = formula_.uses(3);
   reads_place_ = formula_.uses(0) || formula_.uses(1) || formula_.uses(2);
+}
+
+std::optional<double> Expression::constant() const {
+  for (std::size_t place = 0; place < 4; ++place)
+    if (formula_.uses(place)) return std::nullopt;
+  return reads_.empty() ? std::optional(value()) : std::nullopt;
+}
+
+double value_at(Expression& formula, const Network& network, const State& state, double t) {
+  formula.set_time(t);
+  for (const int s : formula.reads()) {
+    const auto at = static_cast<std::size_t>(s);
+    formula.set_concentration(s, network.stochastic(s) ? static_cast<double>(state.count[at]) : state.amount[at]);
+  }
+  for (std::size_t v = 0; v < state.parameter.size(); ++v)
+    formula.set_parameter(static_cast<std::size_t>(network.varying()[v]), state.parameter[v]);
+  return formula.value();
 }
 
 void Expression::set_position(double x, double y, double z) {

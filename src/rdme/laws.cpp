@@ -30,4 +30,14 @@ Laws::Laws(const Network& network, bool sampled) {
   }
 }
 
+void Laws::set_parameters(const Network& network, const double* values) {
+  if (network.varying().empty()) return;
+  const auto set = [&](Expression& one) {
+    for (std::size_t v = 0; v < network.varying().size(); ++v)
+      one.set_parameter(static_cast<std::size_t>(network.varying()[v]), values[v]);
+  };
+  for (Expression& one : expressions) set(one);
+  for (TimedRate& one : timed) one.prepare(set);
+}
+
 }  // namespace shmoo::rdme

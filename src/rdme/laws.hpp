@@ -27,6 +27,9 @@ struct Law {
 struct Laws {
   Laws(const Network& network, bool sampled);  // expressions of sampled, or of integrated reactions only
 
+  // The present values of the parameters that events change.
+  void set_parameters(const Network& network, const double* values);
+
   std::vector<Law> of_reaction;
   std::vector<Factor> factors;
   std::vector<Expression> expressions;

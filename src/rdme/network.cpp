@@ -9,6 +9,7 @@
 #include <set>
 
 #include "rdme/expression.hpp"
+#include "rdme/mass_action.hpp"
 
 namespace shmoo::rdme {
 namespace {
@@ -42,6 +43,7 @@ Network::Network(const scene::Scene& scene)
     }
     if (one.method == scene::SpeciesMethod::deterministic) any_deterministic_ = true;
   }
+  find_varying(scene);
   for (const scene::Reaction& reaction : scene.reactions) compile(reaction, scene.materials, mistakes);
   if (!mistakes.empty()) throw base::InputError(std::move(mistakes));
   sort_by_material(scene.materials.size());
@@ -64,12 +66,13 @@ void Network::compile(const scene::Reaction& from, const std::vector<scene::Mate
   reaction.changes = net_changes(from);
   reaction.rate_constant = from.rate_constant;
   reaction.expression = from.expression;
+  if (!from.per_volume) recognise_mass_action(reaction);
   std::set<int> reads;
-  for (const scene::Term& term : from.reactants) {
+  for (const scene::Term& term : reaction.reactants) {
     reaction.order += term.count;
     reads.insert(term.species);
   }
-  if (!from.expression.empty()) {
+  if (!reaction.expression.empty()) {
     try {
       const Expression expression(from.expression, expression_names(*this));
       reads.insert(expression.reads().begin(), expression.reads().end());
@@ -79,7 +82,7 @@ void Network::compile(const scene::Reaction& from, const std::vector<scene::Mate
         mistakes.push_back({one.where, fmt::format("reaction {}: {}", from.name, one.message)});
       }
     }
-  } else if (!(from.rate_constant >= 0) || !std::isfinite(from.rate_constant)) {
+  } else if (!(reaction.rate_constant >= 0) || !std::isfinite(reaction.rate_constant)) {
     mistakes.push_back({{},
                         fmt::format("reaction {}: the rate constant is {}; it must be a finite number >= 0", from.name,
                                     from.rate_constant)});
@@ -88,6 +91,38 @@ void Network::compile(const scene::Reaction& from, const std::vector<scene::Mate
   for (const Change& change : reaction.changes) reaction.stochastic |= stochastic(change.species);
   find_materials(from, materials, reaction, mistakes);
   reactions_.push_back(std::move(reaction));
+}
+
+void Network::find_varying(const scene::Scene& scene) {
+  std::set<int> varying;
+  for (const scene::Event& event : scene.events) {
+    for (const scene::Assignment& one : event.assignments) {
+      for (std::size_t p = 0; p < parameters_.size(); ++p)
+        if (parameters_[p].first == one.target) varying.insert(static_cast<int>(p));
+    }
+  }
+  varying_.assign(varying.begin(), varying.end());
+}
+
+// Numbers of smooth species enter mass action as n^nu, so only single factors of them are the same.
+void Network::recognise_mass_action(Reaction& reaction) const {
+  if (reaction.expression.empty()) return;
+  auto fixed = parameters_;
+  for (auto varying = varying_.rbegin(); varying != varying_.rend(); ++varying) fixed.erase(fixed.begin() + *varying);
+  auto law = as_mass_action(reaction.expression, expression_names(*this).species, fixed);
+  if (!law) return;
+  const auto factors_of = [&](int species) {
+    for (const scene::Term& term : law->reactants)
+      if (term.species == species) return term.count;
+    return 0;
+  };
+  for (const scene::Term& term : law->reactants)
+    if (term.count > 1 && !stochastic(term.species)) return;
+  for (const scene::Term& term : reaction.reactants)  // it must be zero where reactants are short
+    if (factors_of(term.species) < term.count) return;
+  reaction.reactants = std::move(law->reactants);
+  reaction.rate_constant = law->constant;
+  reaction.expression.clear();
 }
 
 void Network::find_materials(const scene::Reaction& from, const std::vector<scene::Material>& materials,

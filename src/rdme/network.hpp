@@ -6,6 +6,8 @@
 //   Propensity in a voxel of volume V:   a = k V^(1-m) prod_s n_s (n_s - 1) ... (n_s - nu_s + 1),   m = sum_s nu_s.
 //   Deterministic:                       dn_s/dt = (net change of s) V v.
 // So A+B: (k/V) n_A n_B; A+A: (k/V) n (n-1), and d[A]/dt = -2 k [A]^2 for 2 A -> B. There is no 1/2 anywhere.
+// In a well-mixed scene (scene/well.hpp: in_numbers) expressions give a itself; those that are mass action in disguise are
+// treated as such.
 //
 // Which reactions are sampled. A reaction is sampled (stochastic) if and only if one event changes the number of at
 // least one stochastic species; every other reaction is integrated deterministically.
@@ -61,6 +63,7 @@ class Network {
 
   const std::vector<Reaction>& reactions() const { return reactions_; }
   const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }  // SI
+  const std::vector<int>& varying() const { return varying_; }  // parameters that events change, ascending
 
   // Indices of the reactions that run in a material, ascending.
   std::span<const int> sampled_in(int material) const { return sampled_[material]; }
@@ -83,6 +86,8 @@ class Network {
  private:
   void compile(const scene::Reaction& from, const std::vector<scene::Material>& materials,
                std::vector<base::Diagnostic>& mistakes);
+  void recognise_mass_action(Reaction& reaction) const;
+  void find_varying(const scene::Scene& scene);
   void find_materials(const scene::Reaction& from, const std::vector<scene::Material>& materials, Reaction& reaction,
                       std::vector<base::Diagnostic>& mistakes) const;
   void sort_by_material(std::size_t materials);
@@ -90,6 +95,7 @@ class Network {
 
   std::vector<scene::Species> species_;
   std::vector<std::pair<std::string, double>> parameters_;
+  std::vector<int> varying_;
   std::vector<Reaction> reactions_;
   std::vector<std::vector<int>> sampled_, integrated_, after_reaction_, after_species_;
   bool any_sampled_ = false, any_integrated_ = false, any_deterministic_ = false, sampled_time_ = false;

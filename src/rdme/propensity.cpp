@@ -45,6 +45,7 @@ void Propensities::bind(const Voxels& voxels, const State& state) {
   count_ = state.count.data();
   amount_ = state.amount.data();
   volume_ = voxels.volume.data();
+  parameter_ = state.parameter.data();
   inverse_volume_.resize(network_.any_sampled() ? voxels.size() : 0);
   for (std::size_t i = 0; i < inverse_volume_.size(); ++i) inverse_volume_[i] = 1.0 / voxels.volume[i];
   bind_quick();
@@ -54,6 +55,7 @@ void Propensities::set_time(double t) {
   time_ = t;
   window_ = {};
   for (Expression& expression : laws_.expressions) expression.set_time(t);
+  laws_.set_parameters(network_, parameter_);
 }
 
 double Propensities::number(std::size_t voxel, int species) const {

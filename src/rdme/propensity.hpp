@@ -32,7 +32,10 @@ class Propensities {
   // same everywhere nor change much. Where there are no such rates: one window, from 0 to dt.
   const std::vector<Window>& windows(double t, double dt);
   // From now on a rate that contains t is given by its bound in the window.
-  void set_window(const Window& window) { window_ = window; }
+  void set_window(const Window& window) {
+    window_ = window;
+    if (!network_.varying().empty()) laws_.set_parameters(network_, parameter_);
+  }
   // Does an event that was drawn at the bound happen at time t? `rest` is uniform in [0, bound). True for a rate that
   // does not contain t. Throws base::RunError where the rate is above its bound.
   bool happens(int reaction, std::size_t voxel, double t, double rest, double bound) {
@@ -111,6 +114,7 @@ class Propensities {
   const std::int64_t* count_ = nullptr;
   const double* amount_ = nullptr;
   const double* volume_ = nullptr;
+  const double* parameter_ = nullptr;
   const Voxels* voxels_ = nullptr;
   std::vector<Quick> quick_;  // by reaction
   std::vector<double> inverse_volume_;

@@ -90,6 +90,7 @@ void RateSystem::derivative(double t, const double* y, double* dy) {
   }
   if (!reactions_) return;
   for (Expression& expression : laws_.expressions) expression.set_time(t);
+  laws_.set_parameters(network_, state_->parameter.data());
   for (std::size_t i = 0; i < voxels_->size(); ++i) {
     for (int r : network_.integrated_in(voxels_->material[i])) add(r, i, rate(laws_.of_reaction[r], r, i, y), dy);
   }
@@ -103,6 +104,7 @@ void RateSystem::derivative_along(double t, const double* y, const double* direc
   }
   if (!reactions_) return;
   for (Expression& expression : laws_.expressions) expression.set_time(t);
+  laws_.set_parameters(network_, state_->parameter.data());
   for (std::size_t i = 0; i < voxels_->size(); ++i) {
     for (int r : network_.integrated_in(voxels_->material[i])) {
       add(r, i, rate_along(laws_.of_reaction[r], r, i, y, direction), out);
@@ -206,6 +208,7 @@ double RateSystem::expression_rate(const Law& law, int reaction, std::size_t vox
 void RateSystem::check_signs(double t, double dt, const double* y, double allowed) {
   if (!reactions_ || laws_.expressions.empty()) return;
   for (Expression& expression : laws_.expressions) expression.set_time(t);
+  laws_.set_parameters(network_, state_->parameter.data());
   for (std::size_t i = 0; i < voxels_->size(); ++i) {
     for (int r : network_.integrated_in(voxels_->material[i])) {
       const Law& law = laws_.of_reaction[r];

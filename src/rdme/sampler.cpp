@@ -9,6 +9,13 @@
 
 namespace shmoo::rdme {
 
+void Sampler::watch(EventWatch* watch) {
+  if (!watch) return;
+  throw base::InputError(
+      "events that depend on amounts need a sampler that goes event by event; set numerics.sampler to "
+      "\"composition_rejection\" or \"direct\"");
+}
+
 std::unique_ptr<Sampler> make_sampler(const scene::Numerics& numerics, const Network& network) {
   switch (numerics.sampler) {
     case scene::Sampler::direct:

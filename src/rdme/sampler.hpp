@@ -26,6 +26,13 @@ inline bool takes_turns(scene::Sampler method) {
 
 struct JumpTables;
 
+// Looks at the state after every reaction event.
+class EventWatch {
+ public:
+  virtual ~EventWatch() = default;
+  virtual bool stops(double t) = 0;  // true: the advance ends here, at t [s]
+};
+
 class Sampler {
  public:
   virtual ~Sampler() = default;
@@ -42,6 +49,10 @@ class Sampler {
 
   // Counts or amounts were changed by someone else, at the same geometry. Much cheaper than bind().
   virtual void amounts_changed() = 0;
+
+  // Who looks at the state after every reaction event from now on; null: nobody. Throws base::InputError where the method
+  // does not go event by event.
+  virtual void watch(EventWatch* watch);
 
   // From time t to t + dt [s] at frozen geometry. `step` addresses the random numbers and differs between calls.
   // Deterministic amounts are constant but for what stochastic events take from or add to them. Throws base::RunError

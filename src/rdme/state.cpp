@@ -11,6 +11,8 @@ State empty_state(const Network& network, std::size_t voxels) {
   state.species = network.species();
   state.count.assign(voxels * state.species, 0);
   if (network.any_deterministic()) state.amount.assign(voxels * state.species, 0.0);
+  for (const int varying : network.varying())
+    state.parameter.push_back(network.parameters()[static_cast<std::size_t>(varying)].second);
   state.ledger.counts.resize(state.species);
   state.ledger.amounts.resize(state.species);
   return state;

@@ -27,6 +27,7 @@ struct State {
   std::size_t species = 0;
   std::vector<std::int64_t> count;
   std::vector<double> amount;  // empty where no species is deterministic
+  std::vector<double> parameter;  // SI, of those that events change, in the order of Network::varying()
   Ledger ledger;
   std::uint64_t reaction_events = 0;
   std::uint64_t jump_events = 0;  // moves from voxel to voxel; entries and exits are in the ledger

@@ -4,11 +4,13 @@
 // those before it in this list.
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/units.hpp"
+#include "scene/formula.hpp"
 #include "scene/section.hpp"
 
 namespace shmoo::scene {
@@ -17,6 +19,8 @@ namespace shmoo::scene {
 struct Draft : Scene {
   std::map<std::string, base::Dimension> parameter_dimensions;  // of those that have a unit
   std::set<std::string> bad_names;                              // parameters whose values were found bad
+  std::map<std::string, Formula> meaning;                       // of definitions, without definitions in them
+  bool well = false;                                            // well mixed, even where its compartments are bad
 };
 
 // The meaning of a word from a fixed list; `value` stays where the key is absent.
@@ -33,6 +37,7 @@ inline constexpr std::array<std::pair<const char*, SpeciesMethod>, 3> species_me
      {"deterministic", SpeciesMethod::deterministic},
      {"auto", SpeciesMethod::automatic}}};
 
+void build_well(const Section& root, Draft& draft);
 void build_run(const Section& root, Scene& scene);
 void build_materials(const Section& root, Scene& scene);
 void build_domain(const Section& root, Scene& scene);
@@ -40,8 +45,10 @@ void build_numerics(const Section& root, Scene& scene);
 void build_regions(const Section& root, Scene& scene);
 void build_parameters(const Section& root, Draft& draft);
 void build_species(const Section& root, Draft& draft);
+void build_definitions(const Section& root, Draft& draft);
 void build_initials(const Section& root, Draft& draft);
 void build_reactions(const Section& root, Draft& draft);
+void build_events(const Section& root, Draft& draft);
 void build_boundaries(const Section& root, Scene& scene);
 void build_inflows(const Section& root, Draft& draft);
 void build_flow(const Section& root, Draft& draft);
@@ -67,6 +74,16 @@ std::vector<int> material_list(const Scene& scene, const Section& section, std::
 // and, where it is a rate law, t and the species. Returns the species that it uses.
 std::vector<int> check_formula(const Draft& draft, const Section& section, std::string_view key, const toml::node& at,
                                const base::Dimension& dimension, bool rate_law);
+
+// Checks a formula of pure numbers: defined names only. Variables are the parameters, t, the species and, in a scene
+// with particles, x, y, z. Returns the species that it uses.
+std::vector<int> check_numbers(const Draft& draft, const Section& section, std::string_view key, const toml::node& at);
+
+// The text with definitions put in place of their names; as it is where it is no formula.
+std::string expanded(const Draft& draft, const std::string& text);
+
+// Why this can be no name in formulas, or "".
+std::string identifier_problem(const std::string& name);
 
 inline constexpr std::string_view axis_names = "xyz";
 

@@ -21,7 +21,7 @@ Names names_of(const Draft& draft, bool rate_law) {
     names.variables.push_back(
         {std::string(1, axis_names[i]), base::dimensions::length, draft.domain.lower[i], draft.domain.upper[i]});
   };
-  for (std::size_t i = 0; i < 3; ++i) axis(i);
+  for (std::size_t i = 0; i < 3 && !draft.well; ++i) axis(i);
   for (const auto& [name, value] : draft.parameters) {
     const auto dimension = draft.parameter_dimensions.find(name);
     names.variables.push_back(
@@ -47,7 +47,7 @@ std::vector<int> check_formula(const Draft& draft, const Section& section, std::
   for (const auto& variable : variables) names.push_back(variable.name);
   std::vector<int> used;
   try {
-    const Expression expression(at.value_or(std::string()), names);
+    const Expression expression(expanded(draft, at.value_or(std::string())), names);
     bool sound = true;
     for (std::size_t i = 0; i < variables.size(); ++i) {
       if (!expression.uses(i)) continue;
@@ -64,6 +64,34 @@ std::vector<int> check_formula(const Draft& draft, const Section& section, std::
     section.error(at, key, error.what());
   }
   return used;
+}
+
+std::vector<int> check_numbers(const Draft& draft, const Section& section, std::string_view key, const toml::node& at) {
+  const auto [variables, first_species] = names_of(draft, true);
+  std::vector<std::string> names;
+  for (const auto& variable : variables) names.push_back(variable.name);
+  std::vector<int> used;
+  try {
+    const Expression expression(expanded(draft, at.value_or(std::string())), names);
+    for (std::size_t s = 0; s < draft.species.size(); ++s) {
+      const auto place =
+          std::find(names.begin() + static_cast<long>(first_species), names.end(), draft.species[s].name);
+      if (place != names.end() && expression.uses(static_cast<std::size_t>(place - names.begin())))
+        used.push_back(static_cast<int>(s));
+    }
+  } catch (const ExpressionError& error) {
+    section.error(at, key, error.what());
+  }
+  return used;
+}
+
+std::string expanded(const Draft& draft, const std::string& text) {
+  if (draft.meaning.empty()) return text;
+  try {
+    return write(replace(parse_formula(text), draft.meaning));
+  } catch (const ExpressionError&) {
+    return text;
+  }
 }
 
 }  // namespace shmoo::scene

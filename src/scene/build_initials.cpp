@@ -20,7 +20,9 @@ bool lives_in(const Species& species, int material) {
 // A stochastic species holds whole molecules, counted exactly.
 void check_molecules(const Scene& scene, const Section& section, std::string_view key, const toml::node& at,
                      const Species& species, double concentration) {
-  double volume = scene.depth;
+  double volume = scene.compartments.empty() || species.compartment >= int(scene.compartments.size())
+                      ? scene.depth
+                      : scene.compartments[static_cast<std::size_t>(species.compartment)].volume;
   for (int axis = 0; axis < scene.dimension; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     volume *= scene.domain.upper[a] - scene.domain.lower[a];
@@ -33,7 +35,15 @@ void check_molecules(const Scene& scene, const Section& section, std::string_vie
                     concentration * volume, species.name, most_molecules));
 }
 
+void check_whole(const Section& section, std::string_view key, const Species& species, double count) {
+  if (species.method != SpeciesMethod::stochastic || count == std::round(count)) return;
+  section.error(key, fmt::format("{:.17g} molecules are not whole, and {} is stochastic; give a whole number", count,
+                                 species.name));
+}
+
 void read_initial_by_material(const Section& table, Draft& draft, int index) {
+  if (draft.well)
+    return table.error("a well-mixed scene has no materials; give one concentration or number of molecules");
   const Species& species = draft.species[static_cast<std::size_t>(index)];
   for (const auto& [key, value] : table.table()) {
     const int material = material_index(draft, std::string(key.str()), table, key.str(), value);
@@ -53,6 +63,14 @@ void read_initial_by_material(const Section& table, Draft& draft, int index) {
 void read_species_initial(const Section& section, Draft& draft, int index) {
   const Species& species = draft.species[static_cast<std::size_t>(index)];
   if (const auto amount = section.quantity("initial")) {
+    if (base::parse_quantity(*section.text("initial")).dimension == base::dimensions::amount) {
+      if (!draft.well)
+        section.error("initial",
+                      "molecules in all belong in [[initial]], as its 'count'; expected a concentration here");
+      check_whole(section, "initial", species, *amount);
+      draft.initials.push_back({index, -1, nullptr, {}, *amount});
+      return;
+    }
     check_molecules(draft, section, "initial", *section.find("initial"), species, *amount);
     draft.initials.push_back({index, -1, nullptr, {*amount, ""}, std::nullopt});
     return;
@@ -66,7 +84,7 @@ void read_species_initial(const Section& section, Draft& draft, int index) {
   const auto formula = table->text("expression");
   if (!formula) return;
   check_formula(draft, *table, "expression", *table->find("expression"), base::dimensions::concentration, false);
-  draft.initials.push_back({index, -1, nullptr, {0, *formula}, std::nullopt});
+  draft.initials.push_back({index, -1, nullptr, {0, expanded(draft, *formula)}, std::nullopt});
 }
 
 // The one of concentration, count and expression that is given, as an Initial without species.
@@ -82,7 +100,7 @@ std::optional<Initial> read_amount(const Section& section, const Draft& draft) {
   initial.concentration.value = section.quantity("concentration").value_or(0);
   initial.count = section.quantity("count");
   if (const auto formula = section.text("expression")) {
-    initial.concentration.expression = *formula;
+    initial.concentration.expression = expanded(draft, *formula);
     check_formula(draft, section, "expression", *section.find("expression"), base::dimensions::concentration, false);
   }
   return initial;
@@ -96,9 +114,7 @@ void add_initial(const Section& section, Draft& draft, const Initial& amount, co
   const Species& species = draft.species[static_cast<std::size_t>(initial.species)];
   if (initial.material >= 0 && !lives_in(species, initial.material))
     section.error("material", fmt::format("{} does not live there; add the material to species.{}.in", name, name));
-  if (initial.count && species.method == SpeciesMethod::stochastic && *initial.count != std::round(*initial.count))
-    section.error("count", fmt::format("{:.17g} molecules are not whole, and {} is stochastic; give a whole number",
-                                       *initial.count, name));
+  if (initial.count) check_whole(section, "count", species, *initial.count);
   if (const auto* node = section.find("concentration"))
     check_molecules(draft, section, "concentration", *node, species, initial.concentration.value);
   draft.initials.push_back(std::move(initial));

@@ -106,6 +106,13 @@ void build_observables(const Section& root, Scene& scene) {
     const auto rules = std::find_if(types.begin(), types.end(), [&](const TypeRules& one) { return type == one.name; });
     if (rules == types.end()) continue;
     observable.type = rules->type;
+    if (!scene.compartments.empty() && (rules->profile || !rules->species)) {
+      section.error("type",
+                    fmt::format("\"{}\" belongs to space, which a well-mixed scene has none of; use \"count\" or "
+                                "\"concentration\"",
+                                *type));
+      continue;
+    }
     read_species(section, scene, *rules, observable);
     read_profile(section, scene, *rules, observable);
     scene.observables.push_back(std::move(observable));

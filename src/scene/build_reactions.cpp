@@ -9,6 +9,7 @@
 #include "scene/build.hpp"
 #include "scene/check.hpp"
 #include "scene/equation.hpp"
+#include "scene/well.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -56,9 +57,12 @@ double rate_constant(const Section& section, std::string_view key, int order) {
 // Which of forward, backward and rate go with the arrow.
 bool check_rate_keys(const Section& section, bool reversible) {
   const auto before = section.report().count();
-  const bool law = section.has("rate");
-  if (law && reversible) section.error("rate", "a formula belongs to one direction; write two reactions with ->");
-  if (law && section.has("forward")) section.error("forward", "give either 'forward' or 'rate', not both");
+  const bool counted = section.has("propensity"), law = section.has("rate") || counted;
+  const char* formula = counted ? "propensity" : "rate";
+  if (counted && section.has("rate")) section.error("rate", "give either 'rate' or 'propensity', not both");
+  if (law && reversible) section.error(formula, "a formula belongs to one direction; write two reactions with ->");
+  if (law && section.has("forward"))
+    section.error("forward", fmt::format("give either 'forward' or '{}', not both", formula));
   if (!reversible && section.has("backward"))
     section.error("backward", "the equation has no <->; write <->, or remove it");
   if (!law && !section.has("forward"))
@@ -101,6 +105,29 @@ void place(const Section& section, const Scene& scene, Reaction& reaction, const
   if (!reaction.materials.empty() || !modifiers.empty()) reaction.materials = common;
 }
 
+// The formula for v, or for events per second. Returns the species that it reads.
+std::vector<int> read_law(const Section& section, const Draft& draft, Reaction& reaction) {
+  if (const auto law = section.text("rate")) {
+    reaction.expression = expanded(draft, *law);
+    return check_formula(draft, section, "rate", *section.find("rate"),
+                         base::dimensions::concentration / base::dimensions::time, true);
+  }
+  const auto law = section.text("propensity");
+  if (!law) return {};
+  reaction.expression = expanded(draft, *law);
+  reaction.per_volume = false;
+  return check_numbers(draft, section, "propensity", *section.find("propensity"));
+}
+
+// Where a reaction runs in a volume of its own, that must be one.
+void check_volume(const Section& section, const Draft& draft, const Reaction& reaction) {
+  if (!draft.well || draft.compartments.empty() || !reaction.per_volume || volume_of(draft, reaction)) return;
+  section.error("equation", fmt::format("its {} live in several compartments, so it has no volume to be counted in; "
+                                        "give 'propensity', events per second, in place of '{}'",
+                                        reaction.reactants.empty() ? "products" : "reactants",
+                                        section.has("rate") ? "rate" : "forward"));
+}
+
 void add_reactions(const Section& section, Draft& draft, const Equation& equation) {
   bool good = true;
   Reaction forward;
@@ -111,22 +138,19 @@ void add_reactions(const Section& section, Draft& draft, const Equation& equatio
   const int order = order_of(forward.reactants), backward_order = order_of(forward.products);
   if (same(forward.reactants, forward.products))
     return section.error("equation", "both sides are the same, so nothing would change");
-  if (order > highest_order || (equation.reversible && backward_order > highest_order))
+  if (!section.has("propensity") && (order > highest_order || (equation.reversible && backward_order > highest_order)))
     return section.error("equation",
                          fmt::format("more than {} molecules would have to meet; split it into steps", highest_order));
   if (!rates) return;
   forward.name = section.text("name").value_or(section.text("equation").value_or(""));
-  std::vector<int> modifiers;
-  if (const auto law = section.text("rate")) {
-    forward.expression = *law;
-    modifiers = check_formula(draft, section, "rate", *section.find("rate"),
-                              base::dimensions::concentration / base::dimensions::time, true);
-  }
+  const auto modifiers = read_law(section, draft, forward);
+  check_volume(section, draft, forward);
   forward.rate_constant = rate_constant(section, "forward", order);
   place(section, draft, forward, modifiers);
   if (!equation.reversible) return draft.reactions.push_back(std::move(forward));
   Reaction backward = forward;
   std::swap(backward.reactants, backward.products);
+  check_volume(section, draft, backward);
   backward.rate_constant = rate_constant(section, "backward", backward_order);
   backward.name += " (backward)";
   forward.name += " (forward)";

@@ -16,19 +16,30 @@ constexpr std::size_t most_names = 10000;  // species or parameters
 constexpr std::size_t longest_name = 64;   // bytes
 constexpr std::array coordinates{"x", "y", "z", "t"};
 
-std::string identifier_problem(const std::string& name) {
-  if (!is_identifier(name) || name.size() > longest_name)
-    return fmt::format("{} is no name for expressions; use up to {} letters, digits and _, not beginning with a digit",
-                       quoted(name), longest_name);
-  const auto& reserved = reserved_names();
-  if (std::find(coordinates.begin(), coordinates.end(), name) != coordinates.end() ||
-      std::find(reserved.begin(), reserved.end(), name) != reserved.end())
-    return fmt::format("'{}' has a meaning of its own in expressions; choose another name", name);
-  if (name == "nothing") return "'nothing' stands for no species in equations; choose another name";
-  return "";
+void read_compartment(const Section& section, const Scene& scene, Species& species) {
+  species.homes = {0};
+  std::vector<std::string> names;
+  for (const Compartment& one : scene.compartments) names.push_back(one.name);
+  if (!section.has("in")) {
+    species.compartment = 0;
+    if (names.size() > 1)
+      section.error(
+          "in", fmt::format("missing; there are several compartments ({}), so say in which it lives", listed(names)));
+    return;
+  }
+  const auto given = section.names("in");
+  if (given.size() > 1) return section.error("in", "a species of a well-mixed scene lives in just one compartment");
+  if (given.empty()) return;
+  const auto found = std::find(names.begin(), names.end(), given.front().first);
+  species.compartment = static_cast<int>(found - names.begin());
+  if (found == names.end())
+    section.error("in",
+                  fmt::format("no compartment is called {}{}", quoted(given.front().first),
+                              suggestion(given.front().first, names, fmt::format("compartments: {}", listed(names)))));
 }
 
-void read_homes(const Section& section, const Scene& scene, Species& species) {
+void read_homes(const Section& section, const Draft& scene, Species& species) {
+  if (scene.well) return read_compartment(section, scene, species);
   if (section.has("in")) {
     bool good = true;
     species.homes = material_list(scene, section, "in", good);
@@ -47,6 +58,18 @@ void limit_names(const Section& root, std::string_view key) {
 }
 
 }  // namespace
+
+std::string identifier_problem(const std::string& name) {
+  if (!is_identifier(name) || name.size() > longest_name)
+    return fmt::format("{} is no name for expressions; use up to {} letters, digits and _, not beginning with a digit",
+                       quoted(name), longest_name);
+  const auto& reserved = reserved_names();
+  if (std::find(coordinates.begin(), coordinates.end(), name) != coordinates.end() ||
+      std::find(reserved.begin(), reserved.end(), name) != reserved.end())
+    return fmt::format("'{}' has a meaning of its own in expressions; choose another name", name);
+  if (name == "nothing") return "'nothing' stands for no species in equations; choose another name";
+  return "";
+}
 
 void build_parameters(const Section& root, Draft& draft) {
   limit_names(root, "parameters");

@@ -12,23 +12,29 @@ namespace {
 
 constexpr std::size_t longest_name = 64;  // bytes that are compared with valid names
 
-std::vector<std::string> key_names(const Table& schema, const ShapeTable* shape) {
-  std::vector<std::string> names;
-  const auto append = [&](const std::vector<Key>& keys) {
-    for (const Key& key : keys)
-      if (key.forms.front().kind != Kind::refused) names.emplace_back(key.name);
-  };
-  append(schema.keys);
-  if (schema.shape != ShapeUse::none) names.emplace_back(shape_key().name);
-  if (shape) append(shape->keys);
-  return names;
-}
+constexpr std::string_view no_space = "a well-mixed scene, one with [compartments], has no space; remove it";
+constexpr std::string_view no_well =
+    "only a well-mixed scene, one with [compartments] and no [domain], has it; remove it";
 
 const Form* form_of(const std::vector<Form>& forms, std::initializer_list<Kind> kinds) {
   const auto found = std::find_if(forms.begin(), forms.end(), [&](const Form& form) {
     return std::find(kinds.begin(), kinds.end(), form.kind) != kinds.end();
   });
   return found == forms.end() ? nullptr : &*found;
+}
+
+// Of several forms with a unit the one that the text's unit speaks of, else the first.
+const Form* quantity_form(const std::vector<Form>& forms, const std::string& text) {
+  const Form* first = form_of(forms, {Kind::quantity, Kind::unit_later});
+  if (!first || std::count_if(forms.begin(), forms.end(), [](const Form& f) { return f.kind == Kind::quantity; }) < 2)
+    return first;
+  try {
+    const auto dimension = base::parse_quantity(text).dimension;
+    for (const Form& form : forms)
+      if (form.kind == Kind::quantity && form.dimension == dimension) return &form;
+  } catch (const base::QuantityError&) {
+  }
+  return first;
 }
 
 bool belongs_to_a_shape(std::string_view name) {
@@ -68,6 +74,18 @@ std::string describe(const toml::node& value) {
   if (value.is_array()) return "a list";
   if (value.is_table()) return "a table";
   return "a date or time";
+}
+
+std::vector<std::string> Checker::key_names(const Table& schema, const ShapeTable* shape) const {
+  std::vector<std::string> names;
+  const auto append = [&](const std::vector<Key>& keys) {
+    for (const Key& key : keys)
+      if (key.forms.front().kind != Kind::refused && known_here(key)) names.emplace_back(key.name);
+  };
+  append(schema.keys);
+  if (schema.shape != ShapeUse::none && !well_) names.emplace_back(shape_key().name);
+  if (shape) append(shape->keys);
+  return names;
 }
 
 bool Checker::fail(const toml::node& value, const std::string& path, const std::string& message) {
@@ -123,10 +141,15 @@ void Checker::check_keys(const toml::table& given, const Table& schema, const Sh
   std::vector<std::string> meant;  // names that unknown keys most likely stand for
   for (const auto& [key, value] : given) {
     const Key* known = find_key(schema, key.str(), shape);
+    const bool misplaced = known && (!known_here(*known) || (well_ && known == &shape_key()));
     if (!known) known = find_key(schema, "NAME");
     const bool of_a_shape = !known && schema.shape != ShapeUse::none && !shape && belongs_to_a_shape(key.str());
-    if (of_a_shape && (shape_node || schema.shape == ShapeUse::required)) continue;  // the shape itself was reported
-    if (of_a_shape)
+    const bool nowhere = misplaced || (of_a_shape && well_);
+    if (!nowhere && of_a_shape && (shape_node || schema.shape == ShapeUse::required))
+      continue;  // the shape itself was reported
+    if (nowhere)
+      fail(value, join_path(path, key.str()), std::string(well_ ? no_space : no_well));
+    else if (of_a_shape)
       fail(value, join_path(path, key.str()),
            "is a key of a shape, and there is no 'shape' beside it; add it, such as shape = \"box\"");
     else if (!known)
@@ -156,7 +179,7 @@ void Checker::unknown_key(const toml::key& key, const toml::node& value, const T
 
 void Checker::check_required(const toml::table& given, const Key& key, const std::string& path,
                              const std::vector<std::string>& meant) {
-  if (!key.required || given.contains(key.name)) return;
+  if (!key.required || !known_here(key) || given.contains(key.name)) return;
   if (std::find(meant.begin(), meant.end(), key.name) != meant.end()) return;
   report_.add(given.source(), fmt::format("{}: missing; expected {} ({})", join_path(path, key.name),
                                           expected(key.forms, dimension_), key.doc));
@@ -183,7 +206,7 @@ bool Checker::check_value(const toml::node& value, const std::vector<Form>& form
 
 bool Checker::check_string(const toml::node& value, const std::string& text, const std::vector<Form>& forms,
                            const std::string& path) {
-  const Form* quantity = form_of(forms, {Kind::quantity, Kind::unit_later});
+  const Form* quantity = quantity_form(forms, text);
   const Form* words = form_of(forms, {Kind::text, Kind::expression});
   if (quantity && (!words || looks_like_quantity(text))) return check_quantity(value, text, *quantity, path);
   if (const Form* form = form_of(forms, {Kind::choice})) return check_choice(value, text, *form, forms, path);

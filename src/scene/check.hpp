@@ -14,8 +14,8 @@ inline constexpr int deepest_shape = 32;  // shapes inside shapes
 
 class Checker {
  public:
-  // dimension: of the scene, 0 where it is not known.
-  Checker(Report& report, int dimension) : report_(report), dimension_(dimension) {}
+  // dimension: of the scene, 0 where it is not known. `well`: the scene is well mixed.
+  Checker(Report& report, int dimension, bool well = false) : report_(report), dimension_(dimension), well_(well) {}
 
   void check_table(const toml::table& given, const Table& schema, const std::string& path);
 
@@ -35,11 +35,14 @@ class Checker {
   bool check_number(const toml::node& value, const std::vector<Form>& forms, const std::string& path);
   bool check_list(const toml::node& value, const Form& form, const std::string& path);
   bool check_named(const toml::table& given, const Form& form, const std::string& path);
+  bool known_here(const Key& key) const { return key.place != (well_ ? Place::space : Place::well); }
+  std::vector<std::string> key_names(const Table& schema, const ShapeTable* shape) const;
   bool wrong(const toml::node& value, const std::vector<Form>& forms, const std::string& path);
   bool fail(const toml::node& value, const std::string& path, const std::string& message);
 
   Report& report_;
   int dimension_;
+  bool well_;
   int shape_depth_ = 0;
 };
 

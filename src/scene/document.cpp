@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "scene/network.hpp"
 #include "scene/overrides.hpp"
 
 namespace shmoo::scene {
@@ -76,7 +77,8 @@ Document parse_document(const std::string& text, const std::string& file, const 
            fmt::format("this is not TOML: {}", error.description()));
   }
   if (document.root.empty() && overrides.empty()) refuse({file, 0, 0}, fmt::format("the file is empty; {}", needs));
-  if (overrides.empty()) {
+  const bool joined = resolve_network(document.root, file);
+  if (overrides.empty() && !joined) {
     document.text = text;
     return document;
   }

@@ -38,6 +38,12 @@ std::string explain(const mu::Parser::exception_type& error, const std::vector<s
                      suggestion(name, names, fmt::format("names here: {}", listed(variables))));
 }
 
+// muParser's own functions and two that it lacks.
+void add_functions(mu::Parser& parser) {
+  parser.DefineFun("floor", [](double x) { return std::floor(x); });
+  parser.DefineFun("ceil", [](double x) { return std::ceil(x); });
+}
+
 }  // namespace
 
 struct Expression::Compiled {
@@ -53,6 +59,7 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
   if (text.find('"') != std::string::npos) throw ExpressionError("a formula holds no text in quotes");
   values.assign(variables.size(), 1.0);
   used.assign(variables.size(), false);
+  add_functions(parser);
   try {
     for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &values[i]);
     parser.SetExpr(text);
@@ -81,7 +88,8 @@ bool Expression::uses(std::size_t variable) const { return compiled_->used[varia
 
 const std::vector<std::string>& reserved_names() {
   static const std::vector<std::string> names = [] {
-    const mu::Parser parser;
+    mu::Parser parser;
+    add_functions(parser);
     std::vector<std::string> all;
     for (const auto& [name, function] : parser.GetFunDef()) all.push_back(name);
     for (const auto& [name, value] : parser.GetConst()) all.push_back(name);

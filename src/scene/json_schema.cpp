@@ -87,11 +87,25 @@ Json key_json(const Key& key) {
   return json;
 }
 
-Json required_of(const std::vector<Key>& keys) {
+Json required_of(const std::vector<Key>& keys, Place elsewhere = Place::well) {
   Json required = Json::array();
   for (const Key& key : keys)
-    if (key.required) required.push_back(key.name);
+    if (key.required && key.place != elsewhere) required.push_back(key.name);
   return required;
+}
+
+// A file has the keys of space, or those of a well; an SBML network says all that is required.
+void choose_place(Json& json, const std::vector<Key>& keys) {
+  json["required"] = Json::array();
+  const auto add = [&](Place elsewhere, const Json& required) {
+    Json one{{"required", required}, {"properties", Json::object()}};
+    for (const Key& key : keys)
+      if (key.place == elsewhere) one["properties"][std::string(key.name)] = false;
+    json["anyOf"].push_back(std::move(one));
+  };
+  add(Place::well, required_of(keys, Place::well));
+  add(Place::space, required_of(keys, Place::space));
+  add(Place::space, Json{"network"});
 }
 
 // Keys that go with a shape: all of them as properties; which of them is said by one if-then for each shape.
@@ -132,6 +146,7 @@ Json table_json(const Table& table) {
       json["properties"][std::string(key.name)] = key_json(key);
   }
   if (table.shape != ShapeUse::none) add_shapes(json, table.shape);
+  if (table.id.empty()) choose_place(json, table.keys);
   return json;
 }
 

@@ -17,15 +17,21 @@ int dimension_of(const toml::table& root) {
 
 void build(const Section& root, Draft& draft) {
   build_run(root, draft);
-  build_materials(root, draft);
-  build_domain(root, draft);
+  if (draft.well) {
+    build_well(root, draft);
+  } else {
+    build_materials(root, draft);
+    build_domain(root, draft);
+  }
   build_numerics(root, draft);
   build_regions(root, draft);
   build_parameters(root, draft);
   build_species(root, draft);
-  build_depth(root, draft);
+  if (!draft.well) build_depth(root, draft);
+  build_definitions(root, draft);
   build_initials(root, draft);
   build_reactions(root, draft);
+  build_events(root, draft);
   build_boundaries(root, draft);
   build_inflows(root, draft);
   build_flow(root, draft);
@@ -40,12 +46,14 @@ Scene read_scene_text(const std::string& text, const std::string& file, const Ov
   Document document = parse_document(text, file, overrides);
   Report report(file);
   const int dimension = dimension_of(document.root);
-  Checker(report, dimension).check_table(document.root, table(""), "");
+  const bool well = document.root.contains("compartments");
+  Checker(report, dimension, well).check_table(document.root, table(""), "");
   if (dimension == 0) report.finish();  // what depends on the number of axes cannot be judged
   Draft draft;
   draft.file = file;
   draft.text = std::move(document.text);
-  draft.dimension = dimension;
+  draft.dimension = well ? 0 : dimension;
+  draft.well = well;
   const Section root(document.root, "", report);
   draft.title = root.text("title").value_or("");
   build(root, draft);

@@ -51,12 +51,16 @@ struct Form {
   std::string_view what{};  // what a text, unit_later or named stands for: "the name of a material"
 };
 
+// Which scenes know a key.
+enum class Place { anywhere, space, well };  // well: a well-mixed scene, which has compartments and no domain
+
 struct Key {
   std::string_view name;
   std::vector<Form> forms;  // the value may be any of these; their TOML types differ, or are told apart by their looks
   bool required = false;
   std::string_view fallback{};  // the default as the reference shows it
   std::string_view doc;
+  Place place = Place::anywhere;
 };
 
 enum class ShapeUse { none, optional, required };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "scene/well.hpp"
+
 namespace shmoo::coupling {
 namespace {
 
@@ -81,6 +83,7 @@ Decided decide(scene::Scene scene) {
   auto& ours = decided.scene;
   decided.numbers = numbers_of(ours);
   for (const EffectRule& rule : effect_rules()) {
+    if (scene::well_mixed(ours)) break;  // nothing flows
     const auto before = ours.effects.*member_of(rule.effect);
     decided.decisions.push_back(judge_effect(rule, ours, decided.numbers));
     follow_the_flow(ours);

@@ -8,6 +8,7 @@
 #include "coupling/splitting.hpp"
 #include "hydro/effects/list.hpp"
 #include "rdme/initial.hpp"
+#include "scene/well.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -40,13 +41,11 @@ bool catalyses_itself(const scene::Scene& scene, const rdme::Network& network, i
   return false;
 }
 
-template <int D>
-void add_species(const scene::Scene& scene, const sph::Filling<D>& filling, Numbers& numbers) {
+void add_species(const scene::Scene& scene, const rdme::Voxels& voxels, Numbers& numbers) {
   // As real amounts, whatever their methods.
   scene::Scene smooth = scene;
   for (auto& species : smooth.species) species.method = scene::SpeciesMethod::deterministic;
   const rdme::Network network(smooth);
-  const auto voxels = voxels_of(scene, filling);
   const auto state = rdme::initial_state(smooth, network, voxels, {});
   std::vector<double> largest(scene.species.size(), 0.0);
   for (std::size_t s = 0; s < scene.species.size(); ++s) {
@@ -124,7 +123,19 @@ Numbers numbers_in(const scene::Scene& scene) {
   if constexpr (D > 1) {
     if (scene.effects.flow) add_flow<D>(scene, filling, numbers);
   }
-  if (!scene.species.empty()) add_species<D>(scene, filling, numbers);
+  if (!scene.species.empty()) add_species(scene, voxels_of(scene, filling), numbers);
+  return numbers;
+}
+
+Numbers numbers_in_a_well(const scene::Scene& scene) {
+  rdme::Voxels voxels;
+  voxels.volume = {1.0};
+  voxels.material = {0};
+  voxels.position = {{0.0, 0.0, 0.0}};
+  Numbers numbers;
+  numbers.voxels = 1;
+  numbers.voxel = 1.0;
+  if (!scene.species.empty()) add_species(scene::in_numbers(scene), voxels, numbers);
   return numbers;
 }
 
@@ -136,6 +147,7 @@ double Numbers::thermal_diffusivity() const {
 }
 
 Numbers numbers_of(const scene::Scene& scene) {
+  if (scene::well_mixed(scene)) return numbers_in_a_well(scene);
   switch (scene.dimension) {
     case 1:
       return numbers_in<1>(scene);

@@ -90,13 +90,13 @@ void CompositionRejection::advance(double t, double dt, Process process, const b
   for (const Window& window : propensities_.windows(t, dt)) {
     propensities_.set_window(window);
     if (!derived_ || network_.sampled_rates_change_in_time()) derive_all();
-    pass(window, sequence);
+    if (!pass(window, network_.sampled_rates_change_in_time() ? 0.0 : t, sequence)) break;
   }
   close_books(*state_, network_, events_);
 }
 
-// All events of a window.
-void CompositionRejection::pass(const Window& window, AttemptSequence& sequence) {
+// All events of a window whose times count from `origin`; false where the watch stops it.
+bool CompositionRejection::pass(const Window& window, double origin, AttemptSequence& sequence) {
   Attempts attempts;
   Look look;
   end_ = window.to;
@@ -110,12 +110,14 @@ void CompositionRejection::pass(const Window& window, AttemptSequence& sequence)
       const std::uint32_t voxel = std::exchange(look.voxel[k], nobody);
       left_ = look.left[k];
       const std::uint32_t other = fire(voxel, look.rest[k], attempts.word[k], look.target[k]);
+      if (watch_ && watch_->stops(origin + end_ - left_)) return false;
       if (look.version == groups_.version() && !touched(look, voxel, other)) continue;
       left = look.left[k];
       look.from = (k + 1) % Attempts::size;
       break;
     }
   }
+  return true;
 }
 
 // Picks, decisions and the memory that they will need. What lies beyond the end of the step is left out.

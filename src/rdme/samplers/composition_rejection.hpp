@@ -22,6 +22,7 @@ class CompositionRejection final : public Sampler {
   using Sampler::bind;
   void bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables> tables) override;
   void amounts_changed() override { derived_ = false; }
+  void watch(EventWatch* watch) override { watch_ = watch; }
   void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) override;
 
  private:
@@ -44,7 +45,7 @@ class CompositionRejection final : public Sampler {
   std::uint32_t fire(std::uint32_t voxel, double rest, std::uint32_t word, std::uint32_t guess);
   std::uint32_t jump(std::uint32_t voxel, int species, std::uint32_t target);
   void react(std::uint32_t voxel, int reaction, double rest);
-  void pass(const Window& window, AttemptSequence& sequence);
+  bool pass(const Window& window, double origin, AttemptSequence& sequence);
 
   const Network& network_;
   Propensities propensities_;
@@ -64,6 +65,7 @@ class CompositionRejection final : public Sampler {
   std::int64_t* count_ = nullptr;
   PropensityRows rows_;
   std::vector<std::int64_t> events_;  // by reaction, of this advance
+  EventWatch* watch_ = nullptr;
   double end_ = 0, left_ = 0;         // [s] of the window, and from the event at hand to its end
 };
 

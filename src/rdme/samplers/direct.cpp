@@ -48,7 +48,7 @@ void Direct::advance(double t, double dt, Process process, const base::RandomKey
   for (const Window& window : propensities_.windows(t, dt)) {
     propensities_.set_window(window);
     for (std::size_t i = 0; i < total_.size(); ++i) refresh(i);
-    pass(window, random);
+    if (!pass(window, network_.sampled_rates_change_in_time() ? 0.0 : t, random)) return;
   }
 }
 
@@ -61,13 +61,13 @@ void Direct::refresh(std::size_t voxel) {
   }
 }
 
-// All events of a window.
-void Direct::pass(const Window& window, base::RandomSequence& random) {
+// All events of a window whose times count from `origin`; false where the watch stops it.
+bool Direct::pass(const Window& window, double origin, base::RandomSequence& random) {
   const std::size_t voxels = total_.size();
   for (double t = window.from;;) {
     double sum = 0;
     for (double one : total_) sum += one;
-    if (sum <= 0 || (t += random.exponential() / sum) > window.to) return;
+    if (sum <= 0 || (t += random.exponential() / sum) > window.to) return true;
     double rest = random.uniform() * sum;
     std::size_t voxel = 0;
     while (voxel + 1 < voxels && rest >= total_[voxel]) rest -= total_[voxel++];
@@ -80,6 +80,7 @@ void Direct::pass(const Window& window, base::RandomSequence& random) {
     fire(channel);
     refresh(voxel);
     if (channel.kind == Kind::jump) refresh(channel.target);
+    if (watch_ && channel.kind == Kind::reaction && watch_->stops(origin + t)) return false;
   }
 }
 

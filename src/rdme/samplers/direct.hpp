@@ -16,6 +16,7 @@ class Direct final : public Sampler {
   using Sampler::bind;
   void bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables> tables) override;
   void amounts_changed() override {}
+  void watch(EventWatch* watch) override { watch_ = watch; }
   void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) override;
 
  private:
@@ -30,7 +31,7 @@ class Direct final : public Sampler {
 
   double propensity(const Channel& channel);
   void refresh(std::size_t voxel);
-  void pass(const Window& window, base::RandomSequence& random);
+  bool pass(const Window& window, double origin, base::RandomSequence& random);
   void fire(const Channel& channel);
 
   const Network& network_;
@@ -40,6 +41,7 @@ class Direct final : public Sampler {
   std::vector<std::size_t> first_;     // [voxels + 1] a voxel's channels
   std::vector<double> value_, total_;  // by channel, by voxel
   Process process_ = Process::both;
+  EventWatch* watch_ = nullptr;
 };
 
 }  // namespace shmoo::rdme

@@ -54,7 +54,7 @@ void OneWell::advance(double t, double dt, Process process, const base::RandomKe
   for (const Window& window : propensities_.windows(t, dt)) {
     propensities_.set_window(window);
     if (!derived_ || network_.sampled_rates_change_in_time()) derive_all();
-    pass(window, sequence);
+    if (!pass(window, network_.sampled_rates_change_in_time() ? 0.0 : t, sequence)) break;
   }
   close_books(*state_, network_, events_);
 }
@@ -82,25 +82,26 @@ int OneWell::choose(double uniform, double& rest) const {
   return -1;
 }
 
-// All events of a window.
-void OneWell::pass(const Window& window, AttemptSequence& sequence) {
+// All events of a window whose times count from `origin`; false where the watch stops it.
+bool OneWell::pass(const Window& window, double origin, AttemptSequence& sequence) {
   Attempts attempts;
   std::size_t next = Attempts::size;
   for (double left = window.to - window.from;;) {
     const double all = sum();
-    if (!(all > 0)) return;
+    if (!(all > 0)) return true;
     if (next == Attempts::size) {
       sequence.next(attempts);
       next = 0;
     }
     const std::size_t k = next++;
-    if ((left -= attempts.wait[k] / all) <= 0) return;
+    if ((left -= attempts.wait[k] / all) <= 0) return true;
     double rest = 0;
     const int reaction = choose(attempts.choice[k], rest);
     if (reaction < 0) continue;
     if (!propensities_.happens(reaction, 0, window.to - left, rest, value_[static_cast<std::size_t>(reaction)]))
       continue;
     fire(reaction);
+    if (watch_ && watch_->stops(origin + window.to - left)) return false;
   }
 }
 

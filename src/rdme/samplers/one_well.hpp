@@ -20,6 +20,7 @@ class OneWell final : public Sampler {
   using Sampler::bind;
   void bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables> tables) override;
   void amounts_changed() override { derived_ = false; }
+  void watch(EventWatch* watch) override { watch_ = watch; }
   void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) override;
 
  private:
@@ -32,7 +33,7 @@ class OneWell final : public Sampler {
   void flatten();
   void derive_all();
   void refresh(int reaction);
-  void pass(const Window& window, AttemptSequence& sequence);
+  bool pass(const Window& window, double origin, AttemptSequence& sequence);
   double sum() const;
   int choose(double uniform, double& rest) const;
   void fire(int reaction);
@@ -40,6 +41,7 @@ class OneWell final : public Sampler {
   const Network& network_;
   Propensities propensities_;
   State* state_ = nullptr;
+  EventWatch* watch_ = nullptr;
   bool derived_ = false;
   std::size_t running_ = 0;           // sampled reactions
   std::vector<double> value_;         // propensities by reaction; those that are not sampled are 0

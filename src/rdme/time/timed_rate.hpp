@@ -35,6 +35,8 @@ class TimedRate {
 
   // Adds the first moment behind each step that is the same everywhere and for all amounts.
   void common_steps(double from, double to, std::vector<double>& moments) { find(common_, from, to, moments); }
+  // Adds the first moment behind every other step, at the amounts that are set.
+  void local_steps(double from, double to, std::vector<double>& moments) { find(local_, from, to, moments); }
 
  private:
   struct Step {

@@ -23,6 +23,7 @@ constexpr std::size_t most_windows = 1000000;  // of one step
 const std::vector<Window>& Propensities::windows(double t, double dt) {
   time_ = t;
   windows_.clear();
+  laws_.set_parameters(network_, parameter_);
   if (laws_.timed.empty()) {
     windows_.push_back({0.0, dt});
     return windows_;

@@ -6,11 +6,27 @@
 
 #include "run/explain/report.hpp"
 #include "run/progress_bar.hpp"
+#include "scene/well.hpp"
 
 namespace shmoo::run {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
+
+void say_head(const Report& report, Out out) {
+  const auto& [scene, decisions, numbers] = report.decided;
+  fmt::format_to(out, "{} ({})\n", scene.title.empty() ? "(no title)" : scene.title, scene.file);
+  if (scene::well_mixed(scene)) {
+    fmt::format_to(out, "well mixed, {} compartments, {} species, {} reactions, {} events\n", scene.compartments.size(),
+                   scene.species.size(), scene.reactions.size(), scene.events.size());
+    return;
+  }
+  fmt::format_to(out, "{}-D, {} voxels", scene.dimension, numbers.voxels);
+  if (numbers.particles > numbers.voxels)
+    fmt::format_to(out, " and {} particles beyond the sides", numbers.particles - numbers.voxels);
+  fmt::format_to(out, ", spacing {:.4g} m, voxel {:.4g} m^3, {} species, {} reactions\n", numbers.spacing,
+                 numbers.voxel, scene.species.size(), scene.reactions.size());
+}
 
 void say_decisions(const Report& report, Out out) {
   fmt::format_to(out, "decisions\n");
@@ -95,19 +111,13 @@ void say_forecast(const Forecast& one, const scene::Scene& scene, Out out) {
 std::string as_text(const Report& report) {
   std::string text;
   const Out out(text);
-  const auto& [scene, decisions, numbers] = report.decided;
-  fmt::format_to(out, "{} ({})\n{}-D, {} voxels", scene.title.empty() ? "(no title)" : scene.title, scene.file,
-                 scene.dimension, numbers.voxels);
-  if (numbers.particles > numbers.voxels)
-    fmt::format_to(out, " and {} particles beyond the sides", numbers.particles - numbers.voxels);
-  fmt::format_to(out, ", spacing {:.4g} m, voxel {:.4g} m^3, {} species, {} reactions\n", numbers.spacing,
-                 numbers.voxel, scene.species.size(), scene.reactions.size());
+  say_head(report, out);
   say_decisions(report, out);
   say_numbers(report, out);
   say_limits(report, out);
   say_derived(report, out);
   if (report.flow) say_costs(*report.flow, out);
-  if (report.forecast) say_forecast(*report.forecast, scene, out);
+  if (report.forecast) say_forecast(*report.forecast, report.decided.scene, out);
   return text;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "run/verbs/verbs.hpp"
+#include "scene/well.hpp"
 
 namespace shmoo::run {
 
@@ -19,6 +20,12 @@ void declare_check(CLI::App& app, Desk& desk) {
       ->allow_extra_args(false);
   verb->callback([wish, &desk] {
     const auto scene = desk.workshop.read(wish->model, overrides_of(wish->settings));
+    if (scene::well_mixed(scene)) {
+      fmt::print("{}: no mistakes (\"{}\", well mixed, {} compartments, {} species, {} reactions, {} events)\n",
+                 wish->model, scene.title, scene.compartments.size(), scene.species.size(), scene.reactions.size(),
+                 scene.events.size());
+      return;
+    }
     fmt::print("{}: no mistakes (\"{}\", {}-D, {} materials, {} species, {} reactions)\n", wish->model, scene.title,
                scene.dimension, scene.materials.size(), scene.species.size(), scene.reactions.size());
   });

@@ -30,7 +30,8 @@ void print_head(const ResultFile& result) {
   fmt::print("  CPU time      {:.3g} s a realisation, {:.3g} s for what all share\n",
              h5::get_number(provenance, "cpu_seconds_per_realisation"),
              h5::get_number(provenance, "cpu_seconds_shared"));
-  fmt::print("  particles     {} in {}-D, spacing {:.4g} m, materials {}\n", result.material.size(), result.dimension,
+  if (result.dimension > 0)
+    fmt::print("  particles     {} in {}-D, spacing {:.4g} m, materials {}\n", result.material.size(), result.dimension,
              result.spacing, fmt::join(result.material_names, ", "));
   if (!result.times.empty()) {
     fmt::print("  time          {} records from {:.6g} to {:.6g} s\n", result.times.size(), result.times.front(),

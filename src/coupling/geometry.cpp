@@ -1,9 +1,14 @@
 #include "coupling/geometry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
+#include "rdme/surface/contacts.hpp"
 #include "rdme/voronoi.hpp"
+#include "scene/surface.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -166,7 +171,22 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
     return a.voxel != b.voxel ? a.voxel < b.voxel : a.species < b.species;
   });
   for (auto& graph : graphs) voxels.graphs.push_back(std::move(graph.graph));
+  add_surfaces(places, voxels);
   return voxels;
+}
+
+template <int D>
+void Geometry<D>::add_surfaces(const rdme::Places<D>& places, rdme::Voxels& voxels) const {
+  for (const auto& reaction : scene_.reactions) {
+    if (!scene::on_surface(reaction) || voxels.surface(reaction.surface)) continue;
+    voxels.surfaces.push_back(
+        rdme::make_surface<D>(places, box_, std::pow(cell_, 1.0 / D), scene_.depth, reaction.surface));
+    if (!voxels.surfaces.back().target.empty()) continue;
+    throw base::InputError(fmt::format(
+        "reaction {} runs where {} and {} touch, but no two of their particles are neighbours; look at the regions",
+        reaction.name, scene_.materials[std::size_t(reaction.surface[0])].name,
+        scene_.materials[std::size_t(reaction.surface[1])].name));
+  }
 }
 
 template <int D>

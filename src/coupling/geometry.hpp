@@ -45,6 +45,7 @@ class Geometry {
   void relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const;
   void add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const;
   void add_sponge_exchanges(std::size_t species, rdme::Voxels& voxels) const;
+  void add_surfaces(const rdme::Places<D>& places, rdme::Voxels& voxels) const;
   bool lives_in(std::size_t species, std::uint16_t material) const;
 
   const scene::Scene& scene_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "rdme/sampler.hpp"
+#include "scene/surface.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -45,7 +46,7 @@ std::pair<double, std::string> fastest_reaction(const rdme::Network& network, co
   double fastest = 0.0;
   std::string name;
   for (const auto& reaction : network.reactions()) {
-    if (!reaction.expression.empty()) continue;
+    if (!reaction.expression.empty() || reaction.per_area) continue;
     const double v = mass_action(reaction, reference);
     for (const auto& term : reaction.reactants) {
       const double c = reference[std::size_t(term.species)];
@@ -87,7 +88,7 @@ std::vector<double> reference_concentrations(const scene::Scene& scene, std::vec
 std::vector<double> turnover(const scene::Scene& scene, const std::vector<double>& reference) {
   std::vector<double> rate(reference.size(), 0.0);
   for (const auto& reaction : scene.reactions) {
-    if (!reaction.expression.empty()) continue;
+    if (!reaction.expression.empty() || scene::on_surface(reaction)) continue;
     for (const auto& term : reaction.reactants) {
       const auto s = std::size_t(term.species);
       if (reference[s] > 0.0) rate[s] += term.count * mass_action(reaction, reference) / reference[s];

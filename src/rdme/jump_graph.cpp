@@ -71,6 +71,10 @@ class Builder {
     for (std::size_t i = 0; i < n; ++i) rows[i] = weights == PairWeights::faces ? face_row(i) : kernel_row(i);
     HabitatGraph result;
     result.graph.first.assign(n + 1, 0);
+    std::size_t pairs = 0;
+    for (const Row& row : rows) pairs += row.jumps.size();
+    result.graph.target.reserve(pairs);
+    result.graph.coupling.reserve(pairs);
     for (std::size_t i = 0; i < n; ++i) {
       add_side_contacts(i, rows[i]);
       append(rows[i], result);

@@ -15,8 +15,11 @@ Laws::Laws(const Network& network, bool sampled) {
       for (const Change& change : reaction.changes) {
         if (change.species == term.species) taken = std::max(0, -change.amount);
       }
-      factors.push_back({term.species, term.count, network.stochastic(term.species), taken});
+      const bool beyond = reaction.on_surface() && !network.lives_in(term.species, reaction.surface[0]);
+      factors.push_back({term.species, term.count, network.stochastic(term.species), taken, beyond});
+      if (!beyond) law.own_order += term.count;
     }
+    law.surface = reaction.on_surface();
     law.last = static_cast<std::uint32_t>(factors.size());
     if (!reaction.expression.empty() && reaction.stochastic == sampled) {
       law.expression = static_cast<int>(expressions.size());
@@ -26,6 +29,7 @@ Laws::Laws(const Network& network, bool sampled) {
         timed.emplace_back(reaction.expression, expression_names(network));
       }
     }
+    law.simple = law.expression < 0 && !law.surface;
     of_reaction.push_back(law);
   }
 }

@@ -13,15 +13,19 @@ namespace shmoo::rdme {
 struct Factor {
   int species = 0, count = 0;
   bool stochastic = false;
-  int taken = 0;  // whole molecules that one event takes on balance
+  int taken = 0;        // whole molecules that one event takes on balance
+  bool beyond = false;  // in the other voxel of a reaction on a surface
 };
 
 struct Law {
   double constant = 0;                // k
   int order = 0;                      // m
+  int own_order = 0;                  // on a surface: of the first voxel alone
   std::uint32_t first = 0, last = 0;  // factors
   int expression = -1;                // index; -1: mass action
-  int timed = -1;                     // index where a sampled rate contains t
+  bool surface = false;
+  bool simple = true;  // mass action in one voxel
+  int timed = -1;      // index where a sampled rate contains t
 };
 
 struct Laws {

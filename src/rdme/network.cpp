@@ -20,7 +20,7 @@ std::vector<Change> net_changes(const scene::Reaction& from) {
   for (const scene::Term& term : from.products) net[term.species] += term.count;
   std::vector<Change> changes;
   for (const auto& [species, amount] : net) {
-    if (amount != 0) changes.push_back({species, amount});
+    if (amount != 0) changes.push_back({species, amount, false});
   }
   return changes;
 }
@@ -67,6 +67,7 @@ void Network::compile(const scene::Reaction& from, const std::vector<scene::Mate
   reaction.rate_constant = from.rate_constant;
   reaction.expression = from.expression;
   if (!from.per_volume) recognise_mass_action(reaction);
+  reaction.surface = from.surface;
   std::set<int> reads;
   for (const scene::Term& term : reaction.reactants) {
     reaction.order += term.count;
@@ -89,7 +90,10 @@ void Network::compile(const scene::Reaction& from, const std::vector<scene::Mate
   }
   reaction.reads.assign(reads.begin(), reads.end());
   for (const Change& change : reaction.changes) reaction.stochastic |= stochastic(change.species);
-  find_materials(from, materials, reaction, mistakes);
+  if (reaction.on_surface())
+    divide(materials, reaction, mistakes);
+  else
+    find_materials(from, materials, reaction, mistakes);
   reactions_.push_back(std::move(reaction));
 }
 
@@ -125,6 +129,31 @@ void Network::recognise_mass_action(Reaction& reaction) const {
   reaction.expression.clear();
 }
 
+// Who of a reaction on a surface takes part in which of its two voxels.
+void Network::divide(const std::vector<scene::Material>& materials, Reaction& reaction,
+                     std::vector<base::Diagnostic>& mistakes) const {
+  const auto [near, far] = reaction.surface;
+  const auto check = [&](int species) {
+    if (lives_in(species, near) != lives_in(species, far)) return;
+    mistakes.push_back({{},
+                        fmt::format("reaction {} runs between {} and {}; species {} must live in just one of them",
+                                    reaction.name, materials[near].name, materials[far].name, name(species))});
+  };
+  reaction.per_area = true;
+  for (const scene::Term& term : reaction.reactants) {
+    check(term.species);
+    reaction.per_area = reaction.per_area && !lives_in(term.species, near);
+  }
+  for (Change& change : reaction.changes) {
+    check(change.species);
+    change.beyond = !lives_in(change.species, near);
+  }
+  if (!reaction.expression.empty())
+    mistakes.push_back({{}, fmt::format("reaction {}: a formula cannot run on a surface", reaction.name)});
+  reaction.in_material.assign(materials.size(), false);
+  reaction.in_material[near] = true;
+}
+
 void Network::find_materials(const scene::Reaction& from, const std::vector<scene::Material>& materials,
                              Reaction& reaction, std::vector<base::Diagnostic>& mistakes) const {
   std::set<int> partners(reaction.reads.begin(), reaction.reads.end());
@@ -155,6 +184,11 @@ void Network::sort_by_material(std::size_t materials) {
     const Reaction& reaction = reactions_[r];
     if (reaction.changes.empty()) continue;  // an event would change nothing
     (reaction.stochastic ? any_sampled_ : any_integrated_) = true;
+    samples_surfaces_ |= reaction.stochastic && reaction.on_surface();
+    if (reaction.on_surface() && !reaction.stochastic) {
+      integrated_on_surfaces_.push_back(static_cast<int>(r));
+      continue;
+    }
     sampled_time_ |= reaction.stochastic && reaction.reads_time;
     auto& lists = reaction.stochastic ? sampled_ : integrated_;
     for (std::size_t material = 0; material < materials; ++material) {

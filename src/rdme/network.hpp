@@ -20,6 +20,7 @@
 // through
 //   the same falling factorial.
 // * Amounts below zero (deterministic integration, within its tolerance) are read as zero by propensities.
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -32,20 +33,24 @@ namespace shmoo::rdme {
 
 struct Change {
   int species = 0;
-  int amount = 0;
-};  // net, never zero
+  int amount = 0;       // net, never zero
+  bool beyond = false;  // in the other voxel of a reaction on a surface
+};
 
 struct Reaction {
   std::string name;
   std::vector<scene::Term> reactants;
-  std::vector<Change> changes;    // ascending by species
-  double rate_constant = 0;       // [(molecules/m^3)^(1-m)/s], v = k prod C^nu
-  int order = 0;                  // m
-  std::string expression;         // v [molecules/(m^3 s)]; empty: mass action
-  std::vector<int> reads;         // species whose numbers the rate depends on, ascending
-  bool reads_time = false;        // the expression contains t
-  std::vector<bool> in_material;  // by material: does it run there?
-  bool stochastic = false;        // sampled where an event changes a stochastic species; integrated otherwise
+  std::vector<Change> changes;         // ascending by species
+  double rate_constant = 0;            // [(molecules/m^3)^(1-m)/s], v = k prod C^nu
+  int order = 0;                       // m
+  std::string expression;              // v [molecules/(m^3 s)]; empty: mass action
+  std::vector<int> reads;              // species whose numbers the rate depends on, ascending
+  bool reads_time = false;             // the expression contains t
+  std::vector<bool> in_material;       // by material: does it run there? On a surface: the first of the two
+  std::array<int, 2> surface{-1, -1};  // of a reaction between neighbouring voxels of two materials
+  bool per_area = false;               // on a surface, with no reactant in the first material
+  bool on_surface() const { return surface[0] >= 0; }
+  bool stochastic = false;  // sampled where an event changes a stochastic species; integrated otherwise
 };
 
 class Network {
@@ -69,6 +74,10 @@ class Network {
   std::span<const int> sampled_in(int material) const { return sampled_[material]; }
   std::span<const int> integrated_in(int material) const { return integrated_[material]; }
 
+  // Integrated reactions on surfaces, which integrated_in() leaves out. Sampled ones belong to their first material.
+  const std::vector<int>& integrated_on_surfaces() const { return integrated_on_surfaces_; }
+  bool samples_surfaces() const { return samples_surfaces_; }
+
   // Sampled reactions of a material whose propensity one event of `reaction` changes, or one molecule of `species` more
   // or less, ascending.
   std::span<const int> after_reaction(int reaction, int material) const {
@@ -90,6 +99,8 @@ class Network {
   void find_varying(const scene::Scene& scene);
   void find_materials(const scene::Reaction& from, const std::vector<scene::Material>& materials, Reaction& reaction,
                       std::vector<base::Diagnostic>& mistakes) const;
+  void divide(const std::vector<scene::Material>& materials, Reaction& reaction,
+              std::vector<base::Diagnostic>& mistakes) const;
   void sort_by_material(std::size_t materials);
   void find_dependencies(std::size_t materials);
 
@@ -99,6 +110,8 @@ class Network {
   std::vector<Reaction> reactions_;
   std::vector<std::vector<int>> sampled_, integrated_, after_reaction_, after_species_;
   bool any_sampled_ = false, any_integrated_ = false, any_deterministic_ = false, sampled_time_ = false;
+  bool samples_surfaces_ = false;
+  std::vector<int> integrated_on_surfaces_;
 };
 
 // The names that this network's expressions may read.

@@ -17,7 +17,7 @@ Propensities::Propensities(const Network& network)
 Propensities::Quick Propensities::make_quick(const Law& law) const {
   Quick quick;
   quick.constant = law.constant;
-  quick.applies = law.expression < 0 && law.order <= 2;
+  quick.applies = law.simple && law.order <= 2;
   int found = 0;
   for (std::uint32_t f = law.first; f < law.last && quick.applies; ++f) {
     const Factor& factor = laws_.factors[f];
@@ -49,6 +49,7 @@ void Propensities::bind(const Voxels& voxels, const State& state) {
   inverse_volume_.resize(network_.any_sampled() ? voxels.size() : 0);
   for (std::size_t i = 0; i < inverse_volume_.size(); ++i) inverse_volume_[i] = 1.0 / voxels.volume[i];
   bind_quick();
+  bind_surfaces();
 }
 
 void Propensities::set_time(double t) {

@@ -55,12 +55,16 @@ class Propensities {
       return a;
     }
     const Law& law = laws_.of_reaction[reaction];
-    if (law.expression >= 0) return evaluate(reaction, voxel);
+    if (!law.simple) return law.surface ? on_surface(reaction, voxel) : evaluate(reaction, voxel);
     double a = law.constant * available(law, voxel);
     if (law.order != 1) a *= volume_factor(law.order, volume_[voxel], inverse_volume_[voxel]);
     if (!(a >= 0.0 && a <= 1e300)) refuse(reaction, voxel, a, time_);
     return a;
   }
+
+  // The other voxel of an event of a reaction on a surface; elsewhere the voxel itself. `rest` is uniform in [0,
+  // propensity).
+  std::size_t partner(int reaction, std::size_t voxel, double rest) const;
 
  private:
   // prod n (n-1) ... (n-nu+1) over stochastic reactants, times prod n^nu over deterministic ones; zero where short of
@@ -92,6 +96,10 @@ class Propensities {
   };
   Quick make_quick(const Law& law) const;
   void bind_quick();
+  void bind_surfaces();
+  double on_surface(int reaction, std::size_t voxel);
+  double on_pair(const Law& law, const Surface& surface, std::uint64_t pair, std::size_t voxel) const;
+  double available(const Law& law, std::size_t voxel, bool beyond) const;
 
   double evaluate(int reaction, std::size_t voxel);
   double number(std::size_t voxel, int species) const;
@@ -116,7 +124,8 @@ class Propensities {
   const double* volume_ = nullptr;
   const double* parameter_ = nullptr;
   const Voxels* voxels_ = nullptr;
-  std::vector<Quick> quick_;  // by reaction
+  std::vector<Quick> quick_;                // by reaction
+  std::vector<const Surface*> surface_of_;  // by reaction
   std::vector<double> inverse_volume_;
   double time_ = 0;
   Window window_;

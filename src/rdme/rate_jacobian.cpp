@@ -51,6 +51,7 @@ void RateSystem::jacobian(double t, const double* y, std::vector<Entry>& entries
       }
     }
   }
+  surface_entries(y, entries);
 }
 
 }  // namespace shmoo::rdme

@@ -92,8 +92,11 @@ void RateSystem::derivative(double t, const double* y, double* dy) {
   for (Expression& expression : laws_.expressions) expression.set_time(t);
   laws_.set_parameters(network_, state_->parameter.data());
   for (std::size_t i = 0; i < voxels_->size(); ++i) {
-    for (int r : network_.integrated_in(voxels_->material[i])) add(r, i, rate(laws_.of_reaction[r], r, i, y), dy);
+    for (int r : network_.integrated_in(voxels_->material[i])) {
+      add(r, i, rate(laws_.of_reaction[r], r, i, y), dy);
+    }
   }
+  add_surfaces(y, nullptr, dy);
 }
 
 void RateSystem::derivative_along(double t, const double* y, const double* direction, double* out) {
@@ -110,15 +113,16 @@ void RateSystem::derivative_along(double t, const double* y, const double* direc
       add(r, i, rate_along(laws_.of_reaction[r], r, i, y, direction), out);
     }
   }
+  add_surfaces(y, direction, out);
 }
 
-void RateSystem::add(int reaction, std::size_t voxel, double rate, double* dy) const {
+void RateSystem::add(const Reaction& reaction, std::size_t voxel, std::size_t partner, double rate, double* dy) const {
   const std::size_t stride = species_.size();
   double* const book = dy + unknowns();
-  for (const Change& change : network_.reactions()[reaction].changes) {
+  for (const Change& change : reaction.changes) {
     const int d = place_of_[change.species];
     const double molecules = change.amount * rate;
-    dy[voxel * stride + d] += molecules;
+    dy[(change.beyond ? partner : voxel) * stride + d] += molecules;
     book[(change.amount > 0 ? created : destroyed) * stride + d] += std::abs(change.amount) * rate;
   }
 }

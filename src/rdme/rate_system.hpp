@@ -59,10 +59,22 @@ class RateSystem {
   double rate(const Law& law, int reaction, std::size_t voxel, const double* y);
   double rate_along(const Law& law, int reaction, std::size_t voxel, const double* y, const double* direction);
   double expression_rate(const Law& law, int reaction, std::size_t voxel, const double* y);
-  void add(int reaction, std::size_t voxel, double rate, double* dy) const;
   void transport_entries(std::vector<Entry>& entries) const;
   void lift(std::size_t voxel, std::size_t place, double* y) const;
   void lift_by_all(std::size_t place, double* y) const;
+  void add(int reaction, std::size_t voxel, double rate, double* dy) const {
+    add(network_.reactions()[std::size_t(reaction)], voxel, voxel, rate, dy);
+  }
+  void add(const Reaction& reaction, std::size_t voxel, std::size_t partner, double rate, double* dy) const;
+  struct PairRate {
+    double value, slope;
+  };
+  PairRate pair_rate(const Law& law, double coefficient, std::size_t voxel, std::size_t other, const double* y,
+                     const double* direction) const;
+  void add_surfaces(const double* y, const double* direction, double* dy) const;  // no direction: null
+  void pair_entries(const Reaction& reaction, const Law& law, double k, std::size_t i, std::size_t j, const double* y,
+                    std::vector<Entry>& entries);
+  void surface_entries(const double* y, std::vector<Entry>& entries);
 
   const Network& network_;
   Laws laws_;

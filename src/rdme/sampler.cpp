@@ -17,6 +17,13 @@ void Sampler::watch(EventWatch* watch) {
 }
 
 std::unique_ptr<Sampler> make_sampler(const scene::Numerics& numerics, const Network& network) {
+  const bool unsplit =
+      numerics.sampler == scene::Sampler::direct || numerics.sampler == scene::Sampler::composition_rejection;
+  if (network.samples_surfaces() && !unsplit) {
+    throw base::InputError(
+        "reactions on surfaces join two voxels, which this numerics.sampler takes apart; set it to "
+        "\"composition_rejection\" or \"direct\", which are exact");
+  }
   switch (numerics.sampler) {
     case scene::Sampler::direct:
       return std::make_unique<Direct>(network);

@@ -2,6 +2,7 @@
 // The geometry that chemistry sees: particles at frozen positions as voxels, the jumps between them and their exchange
 // with reservoirs. Voxels are numbered by persistent particle id. The same numbers drive every method, so the mean of
 // an exact sampler is the deterministic solution for first-order networks.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -38,6 +39,16 @@ struct Exchange {
   double entry_rate = 0;  // [molecules/s]
 };
 
+// Where voxels of two materials touch: rows over all voxels, empty but for those of materials[0] that touch one of
+// materials[1].
+struct Surface {
+  std::array<int, 2> materials{};
+  std::vector<std::uint64_t> first;   // [voxels + 1]
+  std::vector<std::uint32_t> target;  // [pairs] voxel of materials[1]
+  std::vector<double> area;           // [pairs] [m^2]
+  std::vector<double> share;          // [pairs] of the row's area
+};
+
 struct Voxels {
   std::vector<double> volume;                   // [m^3], capacity: C = n/volume
   std::vector<std::uint16_t> material;          // index into scene::Scene::materials
@@ -45,7 +56,12 @@ struct Voxels {
   std::vector<JumpGraph> graphs;
   std::vector<int> graph_of_species;  // index into graphs; -1: the species does not move
   std::vector<Exchange> exchanges;    // ascending by (voxel, species)
+  std::vector<Surface> surfaces;      // of surface reactions
   std::size_t size() const { return volume.size(); }
+  const Surface* surface(std::array<int, 2> materials) const {  // null: none such
+    const auto found = std::ranges::find(surfaces, materials, &Surface::materials);
+    return found == surfaces.end() ? nullptr : &*found;
+  }
 };
 
 }  // namespace shmoo::rdme

@@ -66,6 +66,10 @@ int material_index(const Scene& scene, const std::string& name, const Section& s
 int species_index(const Scene& scene, const std::string& name, const Section& section, std::string_view key,
                   const toml::node& at);
 
+// The two materials that `surface` names, for a reaction whose equation is read; false with a message where they cannot
+// be.
+bool read_surface(const Section& section, const Scene& scene, Reaction& reaction);
+
 // The materials that a key names (one name or a list), ascending and without repetition. All is well unless `good`
 // turns false.
 std::vector<int> material_list(const Scene& scene, const Section& section, std::string_view key, bool& good);

@@ -9,6 +9,7 @@
 #include "scene/build.hpp"
 #include "scene/check.hpp"
 #include "scene/equation.hpp"
+#include "scene/surface.hpp"
 #include "scene/well.hpp"
 
 namespace shmoo::scene {
@@ -43,14 +44,17 @@ bool same(const std::vector<Term>& a, const std::vector<Term>& b) {
 }
 
 // The rate constant of one direction, checked against the order of the reaction; 0 with a message where it is wrong.
-double rate_constant(const Section& section, std::string_view key, int order) {
+double rate_constant(const Section& section, std::string_view key, int order, bool per_area) {
   const auto text = section.text(key);
   if (!text) return 0;
   const base::Measured measured = base::parse_quantity(*text);
-  const base::Dimension wanted = base::dimensions::rate_constant(order);
+  base::Dimension wanted = base::dimensions::rate_constant(order);
+  if (per_area) wanted = wanted * base::dimensions::length;
   if (measured.dimension == wanted) return measured.value;
-  section.error(key, fmt::format("{} is {}; a reaction of order {} in this direction expects {}", quoted(*text),
-                                 base::dimension_name(measured.dimension), order, base::expectation(wanted)));
+  section.error(
+      key, fmt::format("{} is {}; a reaction of order {} in this direction{} expects {}", quoted(*text),
+                       base::dimension_name(measured.dimension), order,
+                       per_area ? ", with nothing on the side of the first material," : "", base::expectation(wanted)));
   return 0;
 }
 
@@ -141,17 +145,17 @@ void add_reactions(const Section& section, Draft& draft, const Equation& equatio
   if (!section.has("propensity") && (order > highest_order || (equation.reversible && backward_order > highest_order)))
     return section.error("equation",
                          fmt::format("more than {} molecules would have to meet; split it into steps", highest_order));
-  if (!rates) return;
+  if (!rates || (section.has("surface") && !read_surface(section, draft, forward))) return;
   forward.name = section.text("name").value_or(section.text("equation").value_or(""));
   const auto modifiers = read_law(section, draft, forward);
   check_volume(section, draft, forward);
-  forward.rate_constant = rate_constant(section, "forward", order);
-  place(section, draft, forward, modifiers);
+  forward.rate_constant = rate_constant(section, "forward", order, per_area(draft, forward));
+  if (!on_surface(forward)) place(section, draft, forward, modifiers);
   if (!equation.reversible) return draft.reactions.push_back(std::move(forward));
   Reaction backward = forward;
   std::swap(backward.reactants, backward.products);
   check_volume(section, draft, backward);
-  backward.rate_constant = rate_constant(section, "backward", backward_order);
+  backward.rate_constant = rate_constant(section, "backward", backward_order, per_area(draft, backward));
   backward.name += " (backward)";
   forward.name += " (forward)";
   draft.reactions.push_back(std::move(forward));

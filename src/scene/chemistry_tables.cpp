@@ -106,6 +106,14 @@ Table reaction_table() {
         Place::well},
        {"in", one_or_more(a_material), false, "wherever all its species live", "materials in which it runs",
         Place::space},
+       {"surface",
+        {list({text(a_material)}, 2, 2)},
+        false,
+        "",
+        "two materials: it runs where they touch, between a voxel of the first and its neighbours of the second. Each "
+        "molecule of the first sees the mean concentration beside it; where the first has no reactant, `forward` is "
+        "per contact area, such as \"1 um/s\"",
+        Place::space},
        {"name", {text("any text")}, false, "the equation", "what reports call it"}}};
 }
 

@@ -6,6 +6,7 @@
 
 #include "coupling/rules/limits.hpp"
 #include "coupling/splitting.hpp"
+#include "scene/surface.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -25,7 +26,7 @@ struct Meeting {
 std::vector<Meeting> meetings(const scene::Scene& scene, const Numbers& numbers) {
   std::vector<Meeting> list;
   for (const auto& reaction : scene.reactions) {
-    if (!reaction.expression.empty()) continue;
+    if (!reaction.expression.empty() || scene::on_surface(reaction)) continue;
     const auto& terms = reaction.reactants;
     const bool alike = terms.size() == 1 && terms[0].count == 2;
     if (!alike && !(terms.size() == 2 && terms[0].count == 1 && terms[1].count == 1)) continue;

@@ -33,6 +33,7 @@ void CompositionRejection::bind(const Voxels& voxels, State& state, std::shared_
   state_ = &state;
   tables_ = std::move(tables);
   propensities_.bind(voxels, state);
+  beside_ = Beside(network_.samples_surfaces() ? voxels.surfaces : std::vector<Surface>{}, voxels.size());
   table_.clear();
   mobile_.clear();
   for (const auto& table : tables_->of_species) {
@@ -78,6 +79,12 @@ void CompositionRejection::species_changed(std::uint32_t voxel, int species) {
   for (int r : network_.after_species(species, voxels_->material[voxel])) {
     rows_.set(voxel, std::size_t(r), propensities_(r, voxel));
   }
+  for (const std::uint32_t beside : beside_.of(voxel)) {
+    for (int r : network_.after_species(species, voxels_->material[beside]))
+      rows_.set(beside, std::size_t(r), propensities_(r, beside));
+    refresh(beside);
+    wide_ = true;
+  }
 }
 
 void CompositionRejection::advance(double t, double dt, Process process, const base::RandomKey& key,
@@ -110,8 +117,9 @@ bool CompositionRejection::pass(const Window& window, double origin, AttemptSequ
       const std::uint32_t voxel = std::exchange(look.voxel[k], nobody);
       left_ = look.left[k];
       const std::uint32_t other = fire(voxel, look.rest[k], attempts.word[k], look.target[k]);
+      const bool wide = std::exchange(wide_, false);
       if (watch_ && watch_->stops(origin + end_ - left_)) return false;
-      if (look.version == groups_.version() && !touched(look, voxel, other)) continue;
+      if (!wide && look.version == groups_.version() && !touched(look, voxel, other)) continue;
       left = look.left[k];
       look.from = (k + 1) % Attempts::size;
       break;
@@ -193,8 +201,7 @@ std::uint32_t CompositionRejection::fire(std::uint32_t voxel, double rest, std::
   }
   if (!reaction_) return voxel;  // round-off at the end of a sum: nothing happens
   const std::size_t reaction = rows_.pick(voxel, rest);
-  if (reaction < reactions_) react(voxel, static_cast<int>(reaction), rest);
-  return voxel;
+  return reaction < reactions_ ? react(voxel, static_cast<int>(reaction), rest) : voxel;
 }
 
 std::uint32_t CompositionRejection::jump(std::uint32_t voxel, int species, std::uint32_t target) {
@@ -213,15 +220,24 @@ std::uint32_t CompositionRejection::jump(std::uint32_t voxel, int species, std::
 }
 
 // `rest` is uniform below the reaction's propensity.
-void CompositionRejection::react(std::uint32_t voxel, int reaction, double rest) {
-  const double bound = rows_.value(voxel, std::size_t(reaction));
-  if (!propensities_.happens(reaction, voxel, end_ - left_, rest, bound)) return;
-  change_numbers(*state_, network_, network_.reactions()[reaction], voxel);
-  ++events_[reaction];
-  for (int r : network_.after_reaction(reaction, voxels_->material[voxel])) {
+std::uint32_t CompositionRejection::react(std::uint32_t voxel, int index, double rest) {
+  const double bound = rows_.value(voxel, std::size_t(index));
+  if (!propensities_.happens(index, voxel, end_ - left_, rest, bound)) return voxel;
+  const auto partner = static_cast<std::uint32_t>(propensities_.partner(index, voxel, rest));
+  const Reaction& reaction = network_.reactions()[index];
+  change_numbers(*state_, network_, reaction, voxel, partner);
+  ++events_[index];
+  if (beside_.any()) {
+    for (const Change& change : reaction.changes) species_changed(change.beyond ? partner : voxel, change.species);
+    refresh(partner);
+    refresh(voxel);
+    return partner;
+  }
+  for (int r : network_.after_reaction(index, voxels_->material[voxel])) {
     rows_.set(voxel, std::size_t(r), propensities_(r, voxel));
   }
   refresh(voxel);
+  return voxel;
 }
 
 }  // namespace shmoo::rdme

@@ -10,6 +10,7 @@
 #include "rdme/sampler.hpp"
 #include "rdme/samplers/groups.hpp"
 #include "rdme/samplers/propensity_rows.hpp"
+#include "rdme/surface/beside.hpp"
 #include "rdme/words.hpp"
 
 namespace shmoo::rdme {
@@ -44,11 +45,12 @@ class CompositionRejection final : public Sampler {
   bool touched(const Look& look, std::uint32_t voxel, std::uint32_t other) const;
   std::uint32_t fire(std::uint32_t voxel, double rest, std::uint32_t word, std::uint32_t guess);
   std::uint32_t jump(std::uint32_t voxel, int species, std::uint32_t target);
-  void react(std::uint32_t voxel, int reaction, double rest);
+  std::uint32_t react(std::uint32_t voxel, int index, double rest);
   bool pass(const Window& window, double origin, AttemptSequence& sequence);
 
   const Network& network_;
   Propensities propensities_;
+  Beside beside_;
   std::size_t species_, reactions_;
   const Voxels* voxels_ = nullptr;
   State* state_ = nullptr;
@@ -66,7 +68,8 @@ class CompositionRejection final : public Sampler {
   PropensityRows rows_;
   std::vector<std::int64_t> events_;  // by reaction, of this advance
   EventWatch* watch_ = nullptr;
-  double end_ = 0, left_ = 0;         // [s] of the window, and from the event at hand to its end
+  bool wide_ = false;          // the event at hand changed more voxels than two
+  double end_ = 0, left_ = 0;  // [s] of the window, and from the event at hand to its end
 };
 
 }  // namespace shmoo::rdme

@@ -9,6 +9,7 @@ namespace shmoo::rdme {
 void Direct::bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables>) {
   state_ = &state;
   propensities_.bind(voxels, state);
+  beside_ = Beside(network_.samples_surfaces() ? voxels.surfaces : std::vector<Surface>{}, voxels.size());
   channels_.clear();
   for (std::uint32_t i = 0; i < voxels.size(); ++i) {
     for (int r : network_.sampled_in(voxels.material[i])) channels_.push_back({Kind::reaction, i, r, 0, i});
@@ -25,8 +26,8 @@ void Direct::bind(const Voxels& voxels, State& state, std::shared_ptr<const Jump
   for (const Exchange& exchange : voxels.exchanges) {
     const int species = static_cast<int>(exchange.species);
     if (!network_.stochastic(species)) continue;
-    channels_.push_back({Kind::exit, exchange.voxel, species, exchange.exit_rate, 0});
-    channels_.push_back({Kind::entry, exchange.voxel, species, exchange.entry_rate, 0});
+    channels_.push_back({Kind::exit, exchange.voxel, species, exchange.exit_rate, exchange.voxel});
+    channels_.push_back({Kind::entry, exchange.voxel, species, exchange.entry_rate, exchange.voxel});
   }
   std::ranges::stable_sort(channels_, {}, &Channel::voxel);
   first_.assign(voxels.size() + 1, 0);
@@ -61,6 +62,12 @@ void Direct::refresh(std::size_t voxel) {
   }
 }
 
+// The voxel, and those that see it across a surface.
+void Direct::refresh_around(std::size_t voxel) {
+  refresh(voxel);
+  for (const std::uint32_t beside : beside_.of(voxel)) refresh(beside);
+}
+
 // All events of a window whose times count from `origin`; false where the watch stops it.
 bool Direct::pass(const Window& window, double origin, base::RandomSequence& random) {
   const std::size_t voxels = total_.size();
@@ -75,11 +82,14 @@ bool Direct::pass(const Window& window, double origin, base::RandomSequence& ran
     while (c + 1 < first_[voxel + 1] && rest >= value_[c]) rest -= value_[c++];
     // Round-off at the end of a sum may point at a channel that cannot fire.
     if (c == first_[voxel + 1] || value_[c] <= 0) continue;
-    const Channel& channel = channels_[c];
-    if (channel.kind == Kind::reaction && !propensities_.happens(channel.index, voxel, t, rest, value_[c])) continue;
+    Channel& channel = channels_[c];
+    if (channel.kind == Kind::reaction) {
+      if (!propensities_.happens(channel.index, voxel, t, rest, value_[c])) continue;
+      channel.target = static_cast<std::uint32_t>(propensities_.partner(channel.index, voxel, rest));
+    }
     fire(channel);
-    refresh(voxel);
-    if (channel.kind == Kind::jump) refresh(channel.target);
+    refresh_around(channel.voxel);
+    if (channel.target != channel.voxel) refresh_around(channel.target);
     if (watch_ && channel.kind == Kind::reaction && watch_->stops(origin + t)) return false;
   }
 }
@@ -88,7 +98,7 @@ void Direct::fire(const Channel& channel) {
   const std::size_t at = channel.voxel * state_->species + channel.index;
   switch (channel.kind) {
     case Kind::reaction:
-      change_numbers(*state_, network_, network_.reactions()[channel.index], channel.voxel);
+      change_numbers(*state_, network_, network_.reactions()[channel.index], channel.voxel, channel.target);
       book_reaction(state_->ledger, network_, network_.reactions()[channel.index], 1);
       ++state_->reaction_events;
       break;

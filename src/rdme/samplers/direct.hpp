@@ -5,6 +5,7 @@
 
 #include "rdme/propensity.hpp"
 #include "rdme/sampler.hpp"
+#include "rdme/surface/beside.hpp"
 
 namespace shmoo::rdme {
 
@@ -26,16 +27,18 @@ class Direct final : public Sampler {
     std::uint32_t voxel;
     int index;             // reaction or species
     double rate = 0;       // [1/s] per molecule; of an entry [molecules/s]
-    std::uint32_t target;  // of a jump
+    std::uint32_t target;  // of a jump, or the other voxel of a reaction on a surface; else the voxel
   };
 
   double propensity(const Channel& channel);
   void refresh(std::size_t voxel);
+  void refresh_around(std::size_t voxel);
   bool pass(const Window& window, double origin, base::RandomSequence& random);
   void fire(const Channel& channel);
 
   const Network& network_;
   Propensities propensities_;
+  Beside beside_;
   State* state_ = nullptr;
   std::vector<Channel> channels_;      // ascending by voxel
   std::vector<std::size_t> first_;     // [voxels + 1] a voxel's channels

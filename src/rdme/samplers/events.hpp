@@ -29,16 +29,22 @@ inline void close_books(State& state, const Network& network, std::vector<std::i
   }
 }
 
-// One event of a reaction in a voxel; the ledger is left alone.
-inline void change_numbers(State& state, const Network& network, const Reaction& reaction, std::size_t voxel) {
+// One event of a reaction in a voxel and, on a surface, its partner; the ledger is left alone.
+inline void change_numbers(State& state, const Network& network, const Reaction& reaction, std::size_t voxel,
+                           std::size_t partner) {
   for (const Change& change : reaction.changes) {
-    const std::size_t at = voxel * state.species + change.species;
+    const std::size_t at = (change.beyond ? partner : voxel) * state.species + change.species;
     if (network.stochastic(change.species)) {
       state.count[at] += change.amount;
     } else {
       state.amount[at] += change.amount;
     }
   }
+}
+
+// The same of a reaction that is not on a surface.
+inline void change_numbers(State& state, const Network& network, const Reaction& reaction, std::size_t voxel) {
+  change_numbers(state, network, reaction, voxel, voxel);
 }
 
 }  // namespace shmoo::rdme

@@ -24,6 +24,7 @@ struct Workload {
 };
 
 std::vector<Workload> chemistry_workloads();
+std::vector<Workload> geometry_workloads();
 std::vector<Workload> flow_workloads();
 
 double allocated_bytes();  // on the heap, now

@@ -77,13 +77,18 @@ void print_json(const verify::Case& one, const Verdict& verdict) {
   nlohmann::json line = {{"case", one.name}, {"holds", verdict.holds()}, {"cpu_seconds", verdict.cpu}};
   if (!verdict.failure.empty()) line["failure"] = verdict.failure;
   for (const auto& f : verdict.findings)
-    line["laws"].push_back({{"law", f.law}, {"value", f.value}, {"allowed", allowed(f)}, {"holds", f.holds()}});
+    line["laws"].push_back({{"law", f.law},
+                            {"value", f.value},
+                            {"allowed", allowed(f)},
+                            {"holds", f.holds()},
+                            {"false_alarm", f.false_alarm}});
   fmt::print("{}\n", line.dump());
 }
 
 int run_suite(const Wish& wish) {
   const auto cases = wanted(wish);
   std::size_t broken = 0, laws = 0;
+  double false_alarm = 0.0;
   for (const auto& one : cases) {
     if (wish.list) {
       fmt::print("{:<20} {}\n", one.name, one.what);
@@ -93,8 +98,11 @@ int run_suite(const Wish& wish) {
     wish.json ? print_json(one, verdict) : print(one, verdict);
     broken += !verdict.holds();
     laws += verdict.findings.size();
+    for (const auto& finding : verdict.findings) false_alarm += finding.false_alarm;
   }
-  if (!wish.list && !wish.json) fmt::print("{} of {} cases hold, {} laws\n", cases.size() - broken, cases.size(), laws);
+  if (!wish.list && !wish.json)
+    fmt::print("{} of {} cases hold, {} laws; a right program breaks one with a chance of at most {:.2g}\n",
+               cases.size() - broken, cases.size(), laws, false_alarm);
   return broken == 0 ? exit_done : exit_failed;
 }
 

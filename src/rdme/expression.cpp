@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "rdme/network.hpp"
 #include "rdme/state.hpp"
@@ -10,11 +12,13 @@ namespace shmoo::rdme {
 namespace {
 
 std::vector<std::string> all_names(const ExpressionNames& names) {
-  std::vector<std::string> all{"x", "y", "z", "t"};
+  std::vector<std::string> all{"x", "y", "z", "t"};  // the first three only where nothing else has their names
   for (const auto& [name, value] : names.parameters) all.push_back(name);
   for (const std::string& name : names.species) {
     if (scene::is_identifier(name)) all.push_back(name);
   }
+  for (auto axis = all.begin(); axis != all.begin() + 3; ++axis)
+    if (std::count(all.begin(), all.end(), *axis) > 1) *axis = "place_" + *axis;
   return all;
 }
 

@@ -87,7 +87,7 @@ std::vector<int> check_numbers(const Draft& draft, const Section& section, std::
 std::string expanded(const Draft& draft, const std::string& text);
 
 // Why this can be no name in formulas, or "".
-std::string identifier_problem(const std::string& name);
+std::string identifier_problem(const Draft& draft, const std::string& name);
 
 inline constexpr std::string_view axis_names = "xyz";
 

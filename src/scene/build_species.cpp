@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_names = 10000;  // species or parameters
 constexpr std::size_t longest_name = 64;   // bytes
-constexpr std::array coordinates{"x", "y", "z", "t"};
+constexpr std::array axes{"x", "y", "z"};  // of scenes that have places
 
 void read_compartment(const Section& section, const Scene& scene, Species& species) {
   species.homes = {0};
@@ -59,13 +59,13 @@ void limit_names(const Section& root, std::string_view key) {
 
 }  // namespace
 
-std::string identifier_problem(const std::string& name) {
+std::string identifier_problem(const Draft& draft, const std::string& name) {
   if (!is_identifier(name) || name.size() > longest_name)
     return fmt::format("{} is no name for expressions; use up to {} letters, digits and _, not beginning with a digit",
                        quoted(name), longest_name);
   const auto& reserved = reserved_names();
-  if (std::find(coordinates.begin(), coordinates.end(), name) != coordinates.end() ||
-      std::find(reserved.begin(), reserved.end(), name) != reserved.end())
+  const bool axis = !draft.well && std::find(axes.begin(), axes.end(), name) != axes.end();
+  if (axis || name == "t" || std::find(reserved.begin(), reserved.end(), name) != reserved.end())
     return fmt::format("'{}' has a meaning of its own in expressions; choose another name", name);
   if (name == "nothing") return "'nothing' stands for no species in equations; choose another name";
   return "";
@@ -77,7 +77,7 @@ void build_parameters(const Section& root, Draft& draft) {
   if (!given) return;
   for (const auto& [key, value] : given->table()) {
     const std::string name(key.str());
-    if (const auto problem = identifier_problem(name); !problem.empty()) {
+    if (const auto problem = identifier_problem(draft, name); !problem.empty()) {
       given->error(name, problem);
     } else if (given->report().bad(value)) {
       draft.bad_names.insert(name);
@@ -95,7 +95,7 @@ void build_species(const Section& root, Draft& draft) {
     Species species;
     species.name = name;
     species.where = section.where();
-    if (const auto problem = identifier_problem(name); !problem.empty()) section.error(problem);
+    if (const auto problem = identifier_problem(draft, name); !problem.empty()) section.error(problem);
     if (draft.parameters.contains(name) || draft.bad_names.contains(name))
       section.error(fmt::format("a parameter is called '{}' too; rename one of them", name));
     species.diffusivity = section.quantity("diffusivity").value_or(0);

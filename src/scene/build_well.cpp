@@ -53,7 +53,7 @@ void build_definitions(const Section& root, Draft& draft) {
     if (given->report().bad(value)) continue;
     const auto same = [&](const Species& species) { return species.name == name; };
     const bool species = std::any_of(draft.species.begin(), draft.species.end(), same);
-    if (const auto problem = identifier_problem(name); !problem.empty()) given->error(name, problem);
+    if (const auto problem = identifier_problem(draft, name); !problem.empty()) given->error(name, problem);
     if (species || draft.parameters.contains(name) || draft.bad_names.contains(name))
       given->error(name,
                    fmt::format("a {} is called '{}' too; rename one of them", species ? "species" : "parameter", name));

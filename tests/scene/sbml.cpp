@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "scene/document.hpp"
 #include "scene/read.hpp"
@@ -50,6 +52,22 @@ TEST(Sbml, ConcentrationsLocalParametersAndFunctions) {
   EXPECT_EQ(scene.parameters.at("mu"), 99);
   ASSERT_EQ(scene.definitions.size(), 1u);
   EXPECT_EQ(scene.definitions[0].name, "Food");
+}
+
+TEST(Sbml, LevelsAndVersionsThatAskForNoPackageAreRead) {
+  const Scene two = imported("level-2-dimerisation");
+  EXPECT_EQ(two.species.size(), 2u);
+  const Scene three = imported("level-3-2-transport");
+  EXPECT_EQ(three.compartments.size(), 2u);
+  EXPECT_EQ(three.events.size(), 1u);
+}
+
+TEST(Sbml, NamesOfAxesAreFreeWhereThereIsNoPlace) {
+  const Scene scene = imported("rule-for-y");
+  const auto y = std::find_if(scene.definitions.begin(), scene.definitions.end(),
+                              [](const Definition& one) { return one.name == "y"; });
+  ASSERT_NE(y, scene.definitions.end());
+  EXPECT_EQ(y->expression, "2 * (X / cell)");
 }
 
 TEST(Sbml, RulesInitialAssignmentsAndEvents) {

@@ -22,6 +22,19 @@ void refuse_event(const Event& event, Mistakes& mistakes) {
     if (!event.getEventAssignment(k)->getMath()) mistakes.add(*event.getEventAssignment(k), "it has no mathematics");
 }
 
+// libSBML adds plugins of its own accord to documents that do not ask for them: only what the file declares counts. The
+// extended mathematics is looked at formula by formula.
+void refuse_packages(SBMLDocument& document, Mistakes& mistakes) {
+  const XMLNamespaces* declared = document.getNamespaces();
+  for (unsigned k = 0; k < document.getNumPlugins() && document.getLevel() > 2; ++k) {
+    const SBasePlugin& plugin = *document.getPlugin(k);
+    const auto& package = plugin.getPackageName();
+    if (!declared || !declared->containsUri(plugin.getURI()) || package == "l3v2extendedmath") continue;
+    if (document.getPackageRequired(package))
+      mistakes.add(document, fmt::format("the package '{}' is required, and not supported", package));
+  }
+}
+
 }  // namespace
 
 void refuse_unsupported(SBMLDocument& document, Mistakes& mistakes) {
@@ -31,11 +44,7 @@ void refuse_unsupported(SBMLDocument& document, Mistakes& mistakes) {
     mistakes.add(static_cast<int>(error.getLine()), error.getShortMessage() + ": " + error.getMessage());
     ++told;
   }
-  for (unsigned k = 0; k < document.getNumPlugins(); ++k) {
-    const auto& package = document.getPlugin(k)->getPackageName();
-    if (document.getPackageRequired(package))
-      mistakes.add(document, fmt::format("the package '{}' is required, and not supported", package));
-  }
+  refuse_packages(document, mistakes);
   const Model* model = document.getModel();
   if (!model) return mistakes.add(1, "the file holds no SBML model");
   for (unsigned k = 0; k < model->getNumRules(); ++k) {

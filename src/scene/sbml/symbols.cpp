@@ -55,7 +55,7 @@ Role Symbols::role(const std::string& id) const {
 
 std::string Symbols::free_name(const std::string& id) const {
   const auto& reserved = reserved_names();
-  constexpr std::array more{"x", "y", "z", "t", "nothing"};
+  constexpr std::array more{"t", "nothing"};
   const auto taken = [&](const std::string& name) {
     if (std::find(reserved.begin(), reserved.end(), name) != reserved.end()) return true;
     if (std::find(more.begin(), more.end(), name) != more.end()) return true;

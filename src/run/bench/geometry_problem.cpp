@@ -12,14 +12,15 @@
 #include "rdme/sampler.hpp"
 #include "run/bench/lattice_problem.hpp"
 #include "run/bench/workload.hpp"
+#include "run/min_reactions.hpp"
 #include "scene/read.hpp"
 
 namespace shmoo::run::bench {
 namespace {
 
-// A box of 10 x 10 x 45 voxels of 0.1 um whose outermost layer is membrane, with the rates of Huang, Meir, Wingreen
-// 2003 and the numbers of molecules of Fange and Elf 2006.
-const char* const min_box = R"toml(
+// A box of 10 x 10 x 45 voxels of 0.1 um whose outermost layer is membrane, with the numbers of molecules of Fange and
+// Elf 2006.
+const std::string min_box = R"toml(
 title = "bench"
 dimension = 3
 [domain]
@@ -47,29 +48,6 @@ count = "4500 molecules"
 [[initial]]
 species = "E"
 count = "1575 molecules"
-[[reaction]]
-equation = "D_ADP -> D_ATP"
-forward = "1 1/s"
-[[reaction]]
-equation = "D_ATP -> d"
-surface = ["membrane", "cytoplasm"]
-forward = "0.025 um/s"
-[[reaction]]
-equation = "D_ATP + d -> 2 d"
-surface = ["membrane", "cytoplasm"]
-forward = "0.0015 um^3/(molecule s)"
-[[reaction]]
-equation = "D_ATP + de -> d + de"
-surface = ["membrane", "cytoplasm"]
-forward = "0.0015 um^3/(molecule s)"
-[[reaction]]
-equation = "E + d -> de"
-surface = ["membrane", "cytoplasm"]
-forward = "0.093 um^3/(molecule s)"
-[[reaction]]
-equation = "de -> D_ADP + E"
-surface = ["membrane", "cytoplasm"]
-forward = "0.7 1/s"
 [numerics]
 reach = 1.2
 limits = "warn"
@@ -88,7 +66,7 @@ coupling::Frame<D> standing(const sph::Filling<D>& filling) {
 }
 
 Measurement min_on_lattice(double seconds) {
-  const auto scene = scene::read_scene_text(min_box, "bench.toml");
+  const auto scene = scene::read_scene_text(min_box + min_reactions, "bench.toml");
   const rdme::Network network(scene);
   const auto filling = sph::fill<3>(scene);
   const auto voxels = coupling::Geometry<3>(scene, filling).voxels(standing(filling));

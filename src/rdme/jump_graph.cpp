@@ -133,10 +133,11 @@ class Builder {
   Row kernel_row(std::size_t i) const {
     Row row;
     if (!is_home(i)) return row;
+    row.jumps.reserve(rows_.row(i).size());
     each(i, [&](std::uint32_t p, std::size_t j, const base::Vec<D>& x_ij, double F) {
       if (!(mirrored_.crossed[p] & open_)) add(row, i, j, p, x_ij, (scale_[i] + scale_[j]) * places_.area[j] * F);
     });
-    merge(row.jumps);
+    if (mirrored_.position.size() > places_.position.size()) merge(row.jumps);
     add_surface(i, row);
     return row;
   }

@@ -7,6 +7,8 @@ Chemistry::Chemistry(const scene::Scene& scene, const rdme::Network& network, co
   for (const auto& species : scene.species) {
     if (species.method == scene::SpeciesMethod::stochastic) {
       if (!sampler_) sampler_ = rdme::make_sampler(scene.numerics, network);
+    } else if (species.method == scene::SpeciesMethod::langevin) {
+      if (!langevin_) langevin_ = std::make_unique<rdme::LangevinSolver>(network);
     } else if (!solver_) {
       solver_ = std::make_unique<rdme::DeterministicSolver>(network, scene.numerics.tolerance);
     }
@@ -23,20 +25,23 @@ void Chemistry::bind(std::shared_ptr<const Ground> ground) {
   ground_ = std::move(ground);
   if (sampler_) sampler_->bind(ground_->voxels, state_, ground_->tables);
   if (solver_) solver_->bind(ground_->voxels, state_);
+  if (langevin_) langevin_->bind(ground_->voxels, state_);
 }
 
 void Chemistry::advance(std::shared_ptr<const Ground> ground, double t, double dt, std::uint64_t interval) {
   bind(std::move(ground));
-  const bool strang = scene_.numerics.splitting == scene::Splitting::strang && sampler_ && solver_;
-  const double before = strang ? 0.5 * dt : dt;
+  const int parts = (sampler_ ? 1 : 0) + (solver_ ? 1 : 0) + (langevin_ ? 1 : 0);
+  const bool strang = scene_.numerics.splitting == scene::Splitting::strang && parts > 1;
+  const double before = strang ? 0.5 * dt : dt, after = dt - before;
   if (solver_) solver_->advance(t, before, rdme::Process::both);
+  if (langevin_) langevin_->advance(t, before, rdme::Process::both, key_, 2 * interval);
   if (sampler_) {
-    if (solver_) sampler_->amounts_changed();
+    if (parts > 1) sampler_->amounts_changed();
     sampler_->advance(t, dt, rdme::Process::both, key_, interval);
   }
-  if (strang) {
-    solver_->advance(t + before, dt - before, rdme::Process::both);
-  }
+  if (!strang) return;
+  if (langevin_) langevin_->advance(t + before, after, rdme::Process::both, key_, 2 * interval + 1);
+  if (solver_) solver_->advance(t + before, after, rdme::Process::both);
 }
 
 void Chemistry::close(Outcome& outcome) const {

@@ -1,6 +1,6 @@
 #pragma once
-// The chemistry of one realisation: its amounts, the sampler of its stochastic part and the solver of its deterministic
-// part, joined by operator splitting.
+// The chemistry of one realisation: its amounts, the sampler of its stochastic part and the solvers of its Langevin
+// and deterministic parts, joined by operator splitting.
 #include <memory>
 
 #include "base/random.hpp"
@@ -8,6 +8,7 @@
 #include "coupling/stage.hpp"
 #include "rdme/deterministic.hpp"
 #include "rdme/initial.hpp"
+#include "rdme/langevin.hpp"
 #include "rdme/network.hpp"
 #include "rdme/sampler.hpp"
 #include "rdme/state.hpp"
@@ -22,8 +23,8 @@ class Chemistry {
   // Draws the initial amounts on this ground.
   void begin(std::shared_ptr<const Ground> ground);
 
-  // From t to t + dt [s] on ground that keeps its shape. Lie: deterministic, then stochastic; Strang: half of the
-  // deterministic part before and half after. `interval` numbers the calls of one realisation.
+  // From t to t + dt [s] on ground that keeps its shape. Lie: deterministic, Langevin, stochastic; Strang: half of the
+  // first two before and, in reverse, half after. `interval` numbers the calls of one realisation.
   void advance(std::shared_ptr<const Ground> ground, double t, double dt, std::uint64_t interval);
 
   // The ledger and what happened. Throws nothing: an imbalance is told in the outcome.
@@ -41,6 +42,7 @@ class Chemistry {
   std::shared_ptr<const Ground> ground_;
   std::unique_ptr<rdme::Sampler> sampler_;             // null where no species is stochastic
   std::unique_ptr<rdme::DeterministicSolver> solver_;  // null where no species is deterministic
+  std::unique_ptr<rdme::LangevinSolver> langevin_;     // null where no species is Langevin
 };
 
 }  // namespace shmoo::coupling

@@ -35,7 +35,7 @@ template <int D>
 class ExperimentOf final : public Experiment {
  public:
   explicit ExperimentOf(Judgement judgement)
-      : ExperimentOf(std::make_unique<scene::Scene>(std::move(judgement.scene)), {}) {
+      : ExperimentOf(std::make_unique<scene::Scene>(std::move(judgement.scene)), judgement.reference) {
     for (auto& number : judgement.derived) derived_.push_back(std::move(number));
     notes_ = std::move(judgement.notes);
   }
@@ -81,8 +81,7 @@ class ExperimentOf final : public Experiment {
   }
 
  private:
-  struct Tag {};
-  ExperimentOf(std::unique_ptr<scene::Scene> scene, Tag)
+  ExperimentOf(std::unique_ptr<scene::Scene> scene, const std::vector<double>& reference)
       : scene_(std::move(scene)),
         network_(*scene_),
         filling_(sph::fill<D>(*scene_)),
@@ -90,10 +89,11 @@ class ExperimentOf final : public Experiment {
         stages_(geometry_, *scene_, network_),
         has_chemistry_(network_.species() > 0),
         flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),
-        step_(splitting_step(*scene_, network_)),
+        step_(splitting_step(*scene_, network_, reference)),
         recorder_(*scene_, network_, geometry_.material(), lattice_cells(filling_), record_times(scene_->run),
                   !random(), !flow_random_) {
     if (has_chemistry_) derived_.push_back({"splitting_step", step_.value, "s", step_.why});
+    if (has_chemistry_ && step_.error > 0.0) derived_.push_back(splitting_error(step_));
     if (scene_->effects.flow) {
       for (auto& number : make_live_flow<D>(*scene_, {scene_->run.seed, 0})->derived())
         derived_.push_back(std::move(number));
@@ -102,7 +102,7 @@ class ExperimentOf final : public Experiment {
 
   bool random() const {
     bool any = flow_random_;
-    for (const auto& species : scene_->species) any = any || species.method == scene::SpeciesMethod::stochastic;
+    for (const auto& species : scene_->species) any = any || species.method != scene::SpeciesMethod::deterministic;
     return any;
   }
 

@@ -6,21 +6,31 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
+#include "coupling/splitting_twin.hpp"
 #include "rdme/sampler.hpp"
 #include "scene/surface.hpp"
 
 namespace shmoo::coupling {
 namespace {
 
-constexpr double part_of_time_scale = 0.01;
+constexpr double part_of_time_scale = 0.01;  // where no twin can be had
+constexpr double time_scales = 10;           // that a twin is followed for
+constexpr int fewest = 8, most = 4096;       // steps of a twin
 
-// Whether an integrated reaction and a sampled one touch each other's species.
+rdme::Treatment treatment(const rdme::Network& network, int species) {
+  return network.stochastic(species) ? rdme::Treatment::sampled
+         : network.langevin(species) ? rdme::Treatment::langevin
+                                     : rdme::Treatment::integrated;
+}
+
+// Whether reactions that are treated in different ways touch each other's species.
 bool kinds_meet(const rdme::Network& network) {
   for (const auto& reaction : network.reactions()) {
     for (const int s : reaction.reads)
-      if (network.stochastic(s) != reaction.stochastic) return true;
+      if (treatment(network, s) != reaction.treatment()) return true;
     for (const auto& change : reaction.changes)
-      if (network.stochastic(change.species) != reaction.stochastic) return true;
+      if (treatment(network, change.species) != reaction.treatment()) return true;
   }
   return false;
 }
@@ -97,18 +107,50 @@ std::vector<double> turnover(const scene::Scene& scene, const std::vector<double
   return rate;
 }
 
-Step splitting_step(const scene::Scene& scene, const rdme::Network& network) {
+namespace {
+
+// The longest step whose error is within the tolerance, from an eighth of the horizon on.
+Step by_twin(const scene::Scene& scene, SplittingTwin& twin, double horizon) {
+  const double tolerance = scene.numerics.splitting_tolerance;
+  const double extrapolation = twin.order() == 2 ? 4.0 / 3.0 : 2.0;
+  Step found;
+  auto coarse = twin.amounts(horizon, fewest);
+  for (int steps = fewest; 2 * steps <= most; steps *= 2) {
+    const auto fine = twin.amounts(horizon, 2 * steps);
+    found = {horizon / steps, {}, 0.0};
+    for (std::size_t at = 0; at < fine.size(); ++at)
+      found.error = std::max(found.error, extrapolation * std::abs(fine[at] - coarse[at]));
+    if (found.error <= tolerance) break;
+    coarse = fine;
+  }
+  found.why = fmt::format(
+      "{}a twin of two voxels has an error of {:.2g} of its amounts, of order {} in the step, by halving "
+      "it (numerics.splitting_tolerance = {:g})",
+      found.error > tolerance ? "WARNING: the shortest that was tried; " : "", found.error, twin.order(), tolerance);
+  return found;
+}
+
+}  // namespace
+
+Step splitting_step(const scene::Scene& scene, const rdme::Network& network, const std::vector<double>& start) {
   if (scene.numerics.splitting_step) return {*scene.numerics.splitting_step, "as given by numerics.splitting_step"};
   const bool in_turns = rdme::takes_turns(scene.numerics.sampler) && network.any_sampled() && anything_moves(scene);
   if (!in_turns && !kinds_meet(network)) {
     return {std::numeric_limits<double>::infinity(),
             "nothing is split: every process of this scene is advanced as one"};
   }
-  const auto [rate, name] = fastest_reaction(network, reference_concentrations(scene));
-  if (rate == 0.0)
-    return {0.1 * scene.run.record_every, "a tenth of run.record_every, as no rate constant tells a time scale"};
-  const double step = part_of_time_scale / rate;
-  return {step, fmt::format("{:g} of the time scale of the fastest reaction, {}", part_of_time_scale, name)};
+  const auto reference = reference_concentrations(scene, start);
+  const auto [rate, name] = fastest_reaction(network, reference);
+  const double fallback = rate > 0.0 ? part_of_time_scale / rate : 0.1 * scene.run.record_every;
+  try {
+    SplittingTwin twin(scene, network, reference);
+    return by_twin(scene, twin, rate > 0.0 ? std::min(scene.run.until, time_scales / rate) : scene.run.record_every);
+  } catch (const base::RunError& error) {
+    return {fallback, fmt::format("{}, as a twin of two voxels cannot be followed: {}",
+                                  rate > 0.0 ? fmt::format("{:g} of the time scale of {}", part_of_time_scale, name)
+                                             : "a tenth of run.record_every",
+                                  error.what())};
+  }
 }
 
 }  // namespace shmoo::coupling

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
 #include "coupling/schedule.hpp"
 #include "rdme/initial.hpp"
 #include "scene/well.hpp"
@@ -22,10 +23,9 @@ rdme::Voxels one_voxel(std::size_t species) {
   return voxels;
 }
 
-bool any(const scene::Scene& scene, bool stochastic) {
-  return std::any_of(scene.species.begin(), scene.species.end(), [&](const scene::Species& one) {
-    return (one.method == scene::SpeciesMethod::stochastic) == stochastic;
-  });
+bool any(const scene::Scene& scene, scene::SpeciesMethod method) {
+  return std::any_of(scene.species.begin(), scene.species.end(),
+                     [&](const scene::Species& one) { return one.method == method; });
 }
 
 // Whether rounding leaves the start to chance.
@@ -39,23 +39,25 @@ bool starts_alike(const scene::Scene& scene) {
 
 }  // namespace
 
-WellPlan::WellPlan(const scene::Scene& as_said)
+WellPlan::WellPlan(const scene::Scene& as_said, const std::vector<double>& reference)
     : scene(scene::in_numbers(as_said)),
       network(scene),
       voxels(one_voxel(scene.species.size())),
-      step(splitting_step(scene, network)),
+      step(splitting_step(scene, network, reference)),
       records(as_said, network, record_times(scene.run), !random()) {
   if (starts_alike(scene)) same_start_ = std::make_unique<rdme::State>(start({scene.run.seed, 0}));
 }
 
-bool WellPlan::random() const { return any(scene, true); }
+bool WellPlan::random() const {
+  return any(scene, scene::SpeciesMethod::stochastic) || any(scene, scene::SpeciesMethod::langevin);
+}
 
 rdme::State WellPlan::start(const base::RandomKey& key) const {
   return same_start_ ? *same_start_ : rdme::initial_state(scene, network, voxels, key);
 }
 
 Well::Well(const WellPlan& plan) : plan_(plan), reader_(plan.records), events_(plan.scene, plan.network) {
-  if (any(plan.scene, true)) {
+  if (any(plan.scene, scene::SpeciesMethod::stochastic)) {
     const auto& numerics = plan.scene.numerics;
     sampler_ = numerics.sampler == scene::Sampler::composition_rejection
                    ? rdme::make_well_sampler(numerics.sampler, plan.network)
@@ -63,9 +65,19 @@ Well::Well(const WellPlan& plan) : plan_(plan), reader_(plan.records), events_(p
     tables_ = sampler_->prepare(plan.voxels);
     if (events_.reads_amounts()) sampler_->watch(&events_);
   }
-  if (any(plan.scene, false))
+  if (any(plan.scene, scene::SpeciesMethod::langevin)) add_langevin();
+  if (any(plan.scene, scene::SpeciesMethod::deterministic))
     solver_ = std::make_unique<rdme::DeterministicSolver>(plan.network, plan.scene.numerics.tolerance);
   if (solver_ && events_.roots() > 0) solver_->watch(&events_);
+}
+
+void Well::add_langevin() {
+  if (events_.reads_amounts()) {
+    throw base::InputError(
+        "events that depend on amounts need species whose numbers are followed event by event or by an integrator; set "
+        "the method of all \"langevin\" species to \"stochastic\" or \"deterministic\"");
+  }
+  langevin_ = std::make_unique<rdme::LangevinSolver>(plan_.network);
 }
 
 bool Well::realise(const base::RandomKey& key, RecordSink& sink, const Progress& progress, Outcome& outcome) {
@@ -75,6 +87,7 @@ bool Well::realise(const base::RandomKey& key, RecordSink& sink, const Progress&
   steps_ = 0;
   if (sampler_) sampler_->bind(plan_.voxels, state_, tables_);
   if (solver_) solver_->bind(plan_.voxels, state_);
+  if (langevin_) langevin_->bind(plan_.voxels, state_);
   events_.begin(state_);
   look_soon_ = events_.at_a_root(time_);
   act();
@@ -114,7 +127,8 @@ void Well::advance_to(double target) {
 // the sampler the smooth amounts follow it (Lie), as it is not known before how far it goes.
 void Well::advance(double end) {
   const double start = time_, dt = end - start;
-  const bool both = sampler_ && solver_, stoppable = both && events_.reads_amounts();
+  const bool both = (sampler_ || langevin_) && (solver_ || (sampler_ && langevin_)),
+             stoppable = both && events_.reads_amounts();
   const bool strang = both && !stoppable && plan_.scene.numerics.splitting == scene::Splitting::strang;
   const double before = stoppable ? 0.0 : strang ? 0.5 * dt : dt;
   time_ = end;
@@ -125,12 +139,18 @@ void Well::advance(double end) {
       look_soon_ = events_.at_a_root(time_);
     }
   }
-  if (!sampler_) return;
-  if (solver_) sampler_->amounts_changed();
+  if (langevin_) langevin_->advance(start, before, rdme::Process::both, key_, 2 * steps_);
+  if (sampler_) advance_sampler(start, dt, end);
+  if (langevin_ && strang) langevin_->advance(start + before, dt - before, rdme::Process::both, key_, 2 * steps_ + 1);
+  ++steps_;
+  if (solver_ && (strang || stoppable)) solver_->advance(start + before, time_ - start - before, rdme::Process::both);
+}
+
+void Well::advance_sampler(double start, double dt, double end) {
+  if (solver_ || langevin_) sampler_->amounts_changed();
   events_.go_on(end);
-  sampler_->advance(start, dt, rdme::Process::both, key_, steps_++);
+  sampler_->advance(start, dt, rdme::Process::both, key_, steps_);
   time_ = events_.stopped();
-  if (strang || stoppable) solver_->advance(start + before, time_ - start - before, rdme::Process::both);
 }
 
 }  // namespace shmoo::coupling

@@ -7,13 +7,15 @@
 #include "coupling/well_records.hpp"
 #include "rdme/deterministic.hpp"
 #include "rdme/event_clock.hpp"
+#include "rdme/langevin.hpp"
 #include "rdme/sampler.hpp"
 
 namespace shmoo::coupling {
 
 // What all realisations share.
 struct WellPlan {
-  explicit WellPlan(const scene::Scene& as_said);
+  // `reference`: molecules by species, for the splitting step.
+  WellPlan(const scene::Scene& as_said, const std::vector<double>& reference);
 
   bool random() const;
   rdme::State start(const base::RandomKey& key) const;
@@ -37,12 +39,15 @@ class Well {
 
  private:
   void advance_to(double target);
+  void add_langevin();
   void advance(double end);
+  void advance_sampler(double start, double dt, double end);
   void act();
 
   const WellPlan& plan_;
   WellRecords::Reader reader_;
   std::unique_ptr<rdme::Sampler> sampler_;             // null where no species is stochastic
+  std::unique_ptr<rdme::LangevinSolver> langevin_;     // null where no species is Langevin
   std::unique_ptr<rdme::DeterministicSolver> solver_;  // null where no species is deterministic
   rdme::EventClock events_;
   std::shared_ptr<const rdme::JumpTables> tables_;

@@ -13,9 +13,10 @@ namespace {
 class WellMixed final : public Experiment {
  public:
   explicit WellMixed(Judgement judgement)
-      : scene_(std::move(judgement.scene)), notes_(std::move(judgement.notes)), plan_(scene_) {
+      : scene_(std::move(judgement.scene)), notes_(std::move(judgement.notes)), plan_(scene_, judgement.reference) {
     derived_ = std::move(judgement.derived);
     derived_.push_back({"splitting_step", plan_.step.value, "s", plan_.step.why});
+    if (plan_.step.error > 0.0) derived_.push_back(splitting_error(plan_.step));
     wells_.push_back(std::make_unique<Well>(plan_));  // so that all mistakes are found now
   }
 

@@ -4,7 +4,7 @@
 
 namespace shmoo::rdme {
 
-Laws::Laws(const Network& network, bool sampled) {
+Laws::Laws(const Network& network, Treatment of) {
   for (const Reaction& reaction : network.reactions()) {
     Law law;
     law.constant = reaction.rate_constant;
@@ -21,10 +21,10 @@ Laws::Laws(const Network& network, bool sampled) {
     }
     law.surface = reaction.on_surface();
     law.last = static_cast<std::uint32_t>(factors.size());
-    if (!reaction.expression.empty() && reaction.stochastic == sampled) {
+    if (!reaction.expression.empty() && reaction.treatment() == of) {
       law.expression = static_cast<int>(expressions.size());
       expressions.emplace_back(reaction.expression, expression_names(network));
-      if (sampled && reaction.reads_time) {
+      if (of == Treatment::sampled && reaction.reads_time) {
         law.timed = static_cast<int>(timed.size());
         timed.emplace_back(reaction.expression, expression_names(network));
       }

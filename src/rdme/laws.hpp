@@ -29,7 +29,7 @@ struct Law {
 };
 
 struct Laws {
-  Laws(const Network& network, bool sampled);  // expressions of sampled, or of integrated reactions only
+  Laws(const Network& network, Treatment of);  // with the expressions of reactions that are treated so
 
   // The present values of the parameters that events change.
   void set_parameters(const Network& network, const double* values);

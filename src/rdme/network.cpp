@@ -41,7 +41,7 @@ Network::Network(const scene::Scene& scene)
                           fmt::format("species {}: the diffusivity is {} m^2/s; it must be a finite number >= 0",
                                       one.name, one.diffusivity)});
     }
-    if (one.method == scene::SpeciesMethod::deterministic) any_deterministic_ = true;
+    any_smooth_ |= one.method != scene::SpeciesMethod::stochastic;
   }
   find_varying(scene);
   for (const scene::Reaction& reaction : scene.reactions) compile(reaction, scene.materials, mistakes);
@@ -89,7 +89,11 @@ void Network::compile(const scene::Reaction& from, const std::vector<scene::Mate
                                     from.rate_constant)});
   }
   reaction.reads.assign(reads.begin(), reads.end());
-  for (const Change& change : reaction.changes) reaction.stochastic |= stochastic(change.species);
+  for (const Change& change : reaction.changes) {
+    reaction.stochastic |= stochastic(change.species);
+    reaction.langevin |= langevin(change.species);
+  }
+  reaction.langevin &= !reaction.stochastic;
   if (reaction.on_surface())
     divide(materials, reaction, mistakes);
   else
@@ -134,6 +138,13 @@ void Network::divide(const std::vector<scene::Material>& materials, Reaction& re
                      std::vector<base::Diagnostic>& mistakes) const {
   const auto [near, far] = reaction.surface;
   const auto check = [&](int species) {
+    if (langevin(species)) {
+      mistakes.push_back(
+          {{},
+           fmt::format("reaction {} runs on a surface, where noise is not smooth; set the method of species "
+                       "{} to \"stochastic\" or \"deterministic\"",
+                       reaction.name, name(species))});
+    }
     if (lives_in(species, near) != lives_in(species, far)) return;
     mistakes.push_back({{},
                         fmt::format("reaction {} runs between {} and {}; species {} must live in just one of them",
@@ -180,17 +191,18 @@ void Network::find_materials(const scene::Reaction& from, const std::vector<scen
 void Network::sort_by_material(std::size_t materials) {
   sampled_.resize(materials);
   integrated_.resize(materials);
+  langevin_.resize(materials);
   for (std::size_t r = 0; r < reactions_.size(); ++r) {
     const Reaction& reaction = reactions_[r];
     if (reaction.changes.empty()) continue;  // an event would change nothing
-    (reaction.stochastic ? any_sampled_ : any_integrated_) = true;
+    (reaction.stochastic ? any_sampled_ : reaction.langevin ? any_langevin_ : any_integrated_) = true;
     samples_surfaces_ |= reaction.stochastic && reaction.on_surface();
     if (reaction.on_surface() && !reaction.stochastic) {
       integrated_on_surfaces_.push_back(static_cast<int>(r));
       continue;
     }
     sampled_time_ |= reaction.stochastic && reaction.reads_time;
-    auto& lists = reaction.stochastic ? sampled_ : integrated_;
+    auto& lists = reaction.stochastic ? sampled_ : reaction.langevin ? langevin_ : integrated_;
     for (std::size_t material = 0; material < materials; ++material) {
       if (reaction.in_material[material]) lists[material].push_back(static_cast<int>(r));
     }

@@ -6,18 +6,19 @@
 //   Propensity in a voxel of volume V:   a = k V^(1-m) prod_s n_s (n_s - 1) ... (n_s - nu_s + 1),   m = sum_s nu_s.
 //   Deterministic:                       dn_s/dt = (net change of s) V v.
 // So A+B: (k/V) n_A n_B; A+A: (k/V) n (n-1), and d[A]/dt = -2 k [A]^2 for 2 A -> B. There is no 1/2 anywhere.
-// In a well-mixed scene (scene/well.hpp: in_numbers) expressions give a itself; those that are mass action in disguise are
-// treated as such.
+// In a well-mixed scene (scene/well.hpp: in_numbers) expressions give a itself; those that are mass action in disguise
+// are treated as such.
 //
 // Which reactions are sampled. A reaction is sampled (stochastic) if and only if one event changes the number of at
-// least one stochastic species; every other reaction is integrated deterministically.
+// least one stochastic species; of the others, one that changes a Langevin species happens smoothly but with noise
+// (langevin.hpp); every other reaction is integrated deterministically.
 //
-// Reactions between both kinds of species:
-// * A deterministic reactant enters the propensity of a sampled reaction as its real amount: n^nu. An event takes or
-// adds
+// Reactions between species of different kinds:
+// * A deterministic or Langevin reactant enters the propensity of a sampled reaction as its real amount: n^nu. An event
+// takes or adds
 //   whole molecules of it, and the propensity is zero while the amount is below what an event takes on balance.
-// * An integrated reaction reads stochastic counts as they stand at the start of the step (they are frozen in it),
-// through
+// * An integrated reaction reads stochastic counts and Langevin amounts as they stand at the start of the step (they
+// are frozen in it), through
 //   the same falling factorial.
 // * Amounts below zero (deterministic integration, within its tolerance) are read as zero by propensities.
 #include <array>
@@ -37,6 +38,8 @@ struct Change {
   bool beyond = false;  // in the other voxel of a reaction on a surface
 };
 
+enum class Treatment { sampled, langevin, integrated };
+
 struct Reaction {
   std::string name;
   std::vector<scene::Term> reactants;
@@ -50,7 +53,11 @@ struct Reaction {
   std::array<int, 2> surface{-1, -1};  // of a reaction between neighbouring voxels of two materials
   bool per_area = false;               // on a surface, with no reactant in the first material
   bool on_surface() const { return surface[0] >= 0; }
-  bool stochastic = false;  // sampled where an event changes a stochastic species; integrated otherwise
+  bool stochastic = false;  // an event changes a stochastic species
+  bool langevin = false;    // that is not so, and an event changes a Langevin species
+  Treatment treatment() const {
+    return stochastic ? Treatment::sampled : langevin ? Treatment::langevin : Treatment::integrated;
+  }
 };
 
 class Network {
@@ -63,6 +70,8 @@ class Network {
   const std::vector<scene::Species>& species_list() const { return species_; }
   const std::string& name(int species) const { return species_[species].name; }
   bool stochastic(int species) const { return species_[species].method == scene::SpeciesMethod::stochastic; }
+  bool langevin(int species) const { return species_[species].method == scene::SpeciesMethod::langevin; }
+  bool deterministic(int species) const { return species_[species].method == scene::SpeciesMethod::deterministic; }
   double diffusivity(int species) const { return species_[species].diffusivity; }  // [m^2/s]
   bool lives_in(int species, int material) const;
 
@@ -73,6 +82,7 @@ class Network {
   // Indices of the reactions that run in a material, ascending.
   std::span<const int> sampled_in(int material) const { return sampled_[material]; }
   std::span<const int> integrated_in(int material) const { return integrated_[material]; }
+  std::span<const int> langevin_in(int material) const { return langevin_[material]; }
 
   // Integrated reactions on surfaces, which integrated_in() leaves out. Sampled ones belong to their first material.
   const std::vector<int>& integrated_on_surfaces() const { return integrated_on_surfaces_; }
@@ -89,7 +99,8 @@ class Network {
 
   bool any_sampled() const { return any_sampled_; }
   bool any_integrated() const { return any_integrated_; }
-  bool any_deterministic() const { return any_deterministic_; }  // species
+  bool any_langevin() const { return any_langevin_; }
+  bool any_smooth() const { return any_smooth_; }  // species that are not stochastic
   bool sampled_rates_change_in_time() const { return sampled_time_; }
 
  private:
@@ -108,8 +119,8 @@ class Network {
   std::vector<std::pair<std::string, double>> parameters_;
   std::vector<int> varying_;
   std::vector<Reaction> reactions_;
-  std::vector<std::vector<int>> sampled_, integrated_, after_reaction_, after_species_;
-  bool any_sampled_ = false, any_integrated_ = false, any_deterministic_ = false, sampled_time_ = false;
+  std::vector<std::vector<int>> sampled_, integrated_, langevin_, after_reaction_, after_species_;
+  bool any_sampled_ = false, any_integrated_ = false, any_langevin_ = false, any_smooth_ = false, sampled_time_ = false;
   bool samples_surfaces_ = false;
   std::vector<int> integrated_on_surfaces_;
 };

@@ -10,7 +10,7 @@
 namespace shmoo::rdme {
 
 Propensities::Propensities(const Network& network)
-    : network_(network), laws_(network, true), species_(network.species()) {
+    : network_(network), laws_(network, Treatment::sampled), species_(network.species()) {
   for (const Law& law : laws_.of_reaction) quick_.push_back(make_quick(law));
 }
 

@@ -33,6 +33,7 @@ void RateSystem::jacobian(double t, const double* y, std::vector<Entry>& entries
   const std::size_t stride = species_.size();
   direction_.assign(unknowns(), 0.0);
   for (Expression& expression : laws_.expressions) expression.set_time(t);
+  laws_.set_parameters(network_, state_->parameter.data());
   for (std::size_t i = 0; i < voxels_->size(); ++i) {
     for (const int r : network_.integrated_in(voxels_->material[i])) {
       for (const int s : network_.reactions()[r].reads) {

@@ -10,9 +10,9 @@
 namespace shmoo::rdme {
 
 RateSystem::RateSystem(const Network& network)
-    : network_(network), laws_(network, false), place_of_(network.species(), -1) {
+    : network_(network), laws_(network, Treatment::integrated), place_of_(network.species(), -1) {
   for (int s = 0; s < static_cast<int>(network.species()); ++s) {
-    if (network.stochastic(s)) continue;
+    if (!network.deterministic(s)) continue;
     place_of_[s] = static_cast<int>(species_.size());
     species_.push_back(s);
   }
@@ -133,9 +133,20 @@ double RateSystem::turn(const Law& law, std::size_t voxel, const double* y) cons
   int negative = 0;
   for (std::uint32_t f = law.first; f < law.last; ++f) {
     const Factor& factor = laws_.factors[f];
-    if (!factor.stochastic && y[voxel * species_.size() + place_of_[factor.species]] < 0) negative += factor.count;
+    const int d = place_of_[factor.species];
+    if (d >= 0 && y[voxel * species_.size() + d] < 0) negative += factor.count;
   }
   return negative > 0 && negative % 2 == 0 ? -1.0 : 1.0;
+}
+
+double RateSystem::frozen(int species, std::size_t voxel) const {
+  const std::size_t at = voxel * state_->species + species;
+  return network_.stochastic(species) ? static_cast<double>(state_->count[at]) : state_->amount[at];
+}
+
+double RateSystem::frozen_factor(const Factor& factor, std::size_t voxel) const {
+  if (factor.stochastic) return falling(state_->count[voxel * state_->species + factor.species], factor.count);
+  return std::pow(frozen(factor.species, voxel), factor.count);
 }
 
 double RateSystem::rate(const Law& law, int reaction, std::size_t voxel, const double* y) {
@@ -144,8 +155,8 @@ double RateSystem::rate(const Law& law, int reaction, std::size_t voxel, const d
   double a = turn(law, voxel, y) * law.constant * volume_factor(law.order, volume, 1.0 / volume);
   for (std::uint32_t f = law.first; f < law.last; ++f) {
     const Factor& factor = laws_.factors[f];
-    if (factor.stochastic) {
-      a *= falling(state_->count[voxel * state_->species + factor.species], factor.count);
+    if (place_of_[factor.species] < 0) {
+      a *= frozen_factor(factor, voxel);
     } else {
       const double n = y[voxel * species_.size() + place_of_[factor.species]];
       for (int k = 0; k < factor.count; ++k) a *= n;
@@ -163,8 +174,8 @@ double RateSystem::rate_along(const Law& law, int reaction, std::size_t voxel, c
     double product = turn(law, voxel, y) * law.constant * volume_factor(law.order, volume, 1.0 / volume), slope = 0;
     for (std::uint32_t f = law.first; f < law.last; ++f) {
       const Factor& factor = laws_.factors[f];
-      if (factor.stochastic) {
-        const double n = falling(state_->count[voxel * state_->species + factor.species], factor.count);
+      if (place_of_[factor.species] < 0) {
+        const double n = frozen_factor(factor, voxel);
         product *= n;
         slope *= n;
         continue;
@@ -195,8 +206,7 @@ double RateSystem::expression_rate(const Law& law, int reaction, std::size_t vox
   const double volume = voxels_->volume[voxel];
   for (int s : expression.reads()) {
     const int d = place_of_[s];
-    const double n = d < 0 ? static_cast<double>(state_->count[voxel * state_->species + s])
-                           : std::max(0.0, y[voxel * species_.size() + d]);
+    const double n = d < 0 ? frozen(s, voxel) : std::max(0.0, y[voxel * species_.size() + d]);
     expression.set_concentration(s, n / volume);
   }
   const auto& x = voxels_->position[voxel];

@@ -55,6 +55,8 @@ class RateSystem {
 
   void spread(const double* y, double* dy) const;
   void exchange(const double* y, double* dy, double entries) const;
+  double frozen(int species, std::size_t voxel) const;  // of a species that is not integrated
+  double frozen_factor(const Factor& factor, std::size_t voxel) const;
   double turn(const Law& law, std::size_t voxel, const double* y) const;
   double rate(const Law& law, int reaction, std::size_t voxel, const double* y);
   double rate_along(const Law& law, int reaction, std::size_t voxel, const double* y, const double* direction);

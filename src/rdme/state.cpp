@@ -10,7 +10,7 @@ State empty_state(const Network& network, std::size_t voxels) {
   State state;
   state.species = network.species();
   state.count.assign(voxels * state.species, 0);
-  if (network.any_deterministic()) state.amount.assign(voxels * state.species, 0.0);
+  if (network.any_smooth()) state.amount.assign(voxels * state.species, 0.0);
   for (const int varying : network.varying())
     state.parameter.push_back(network.parameters()[static_cast<std::size_t>(varying)].second);
   state.ledger.counts.resize(state.species);

@@ -32,8 +32,9 @@ void read_choice(const Section& section, std::string_view key,
     if (text == name) value = meaning;
 }
 
-inline constexpr std::array<std::pair<const char*, SpeciesMethod>, 3> species_methods{
+inline constexpr std::array<std::pair<const char*, SpeciesMethod>, 4> species_methods{
     {{"stochastic", SpeciesMethod::stochastic},
+     {"langevin", SpeciesMethod::langevin},
      {"deterministic", SpeciesMethod::deterministic},
      {"auto", SpeciesMethod::automatic}}};
 

@@ -86,10 +86,11 @@ void build_numerics(const Section& root, Scene& scene) {
                 numerics.pressure);
     read_choice(
         *section, "sampler",
-        std::array<std::pair<const char*, Sampler>, 4>{{{"direct", Sampler::direct},
+        std::array<std::pair<const char*, Sampler>, 5>{{{"direct", Sampler::direct},
                                                         {"composition_rejection", Sampler::composition_rejection},
                                                         {"split", Sampler::split},
-                                                        {"tau_leaping", Sampler::tau_leaping}}},
+                                                        {"tau_leaping", Sampler::tau_leaping},
+                                                        {"auto", Sampler::automatic}}},
         numerics.sampler);
     read_choice(
         *section, "splitting",
@@ -103,6 +104,7 @@ void build_numerics(const Section& root, Scene& scene) {
     numerics.courant = section->number("courant").value_or(numerics.courant);
     numerics.splitting_step = section->quantity("splitting_step");
     numerics.tolerance = section->number("tolerance").value_or(numerics.tolerance);
+    numerics.splitting_tolerance = section->number("splitting_tolerance").value_or(numerics.splitting_tolerance);
     numerics.leap_tolerance = section->number("leap_tolerance").value_or(numerics.leap_tolerance);
     numerics.steady_tolerance = section->number("steady_tolerance");
   }

@@ -29,7 +29,7 @@ Table species_table() {
             "diffusion coefficient",
             Place::space},
            {"method",
-            {choice({"stochastic", "deterministic", "auto"})},
+            {choice({"stochastic", "langevin", "deterministic", "auto"})},
             false,
             "numerics.method",
             "whole molecules with chance, or smooth concentrations without; with \"auto\" rules "

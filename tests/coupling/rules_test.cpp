@@ -248,8 +248,47 @@ TEST(MethodRules, AProductTakesTheNumbersOfItsReactants) {
 }
 
 TEST(MethodRules, TheThresholdIsOnePerCent) {
-  EXPECT_EQ(method({{"species.A.initial", "\"9.9e3 molecules/um^3\""}}), "stochastic");
+  EXPECT_EQ(method({{"species.A.initial", "\"9.9e3 molecules/um^3\""}}), "langevin");
   EXPECT_EQ(method({{"species.A.initial", "\"1.01e4 molecules/um^3\""}}), "deterministic");
+}
+
+TEST(MethodRules, SmoothNoiseNeedsAThousandAndNoEmptyPlace) {
+  EXPECT_EQ(method({{"species.A.initial", "\"1.01e3 molecules/um^3\""}}), "langevin");
+  EXPECT_EQ(method({{"species.A.initial", "\"0.99e3 molecules/um^3\""}}), "stochastic");
+  EXPECT_EQ(
+      method(
+          {{"species.A.initial", "\"99 molecules/um^3\""},
+           {"initial",
+            R"([{ species = "A", concentration = "5e3 molecules/um^3", shape = "box", lower = ["0 um", "0 um", "0 um"], upper = ["1 um", "10 um", "10 um"] }])"}}),
+      "stochastic");
+}
+
+// ---- samplers
+
+std::string sampler(scene::Overrides overrides, const char* initial) {
+  overrides.insert(
+      overrides.end(),
+      {{"numerics.sampler", "\"auto\""}, {"species.A.method", "\"stochastic\""}, {"species.A.initial", initial}});
+  return of(decided(gel, overrides), "numerics.sampler").value;
+}
+
+const scene::Overrides decay{{"reaction", R"toml([{ equation = "A -> nothing", forward = "1 1/s" }])toml"}};
+const scene::Overrides pairing{{"reaction", R"toml([{ equation = "2 A -> nothing", forward = "1e4 um^3/(s molecule)" }])toml"},
+                               {"species.A.diffusivity", "\"0 m^2/s\""}};
+
+TEST(SamplerRules, FewEventsAreDrawnExactly) {
+  EXPECT_EQ(sampler({{"run.until", "\"1 us\""}}, "\"10 molecules/um^3\""), "composition_rejection");
+}
+
+TEST(SamplerRules, ManyJumpsAreMadeWithoutEvents) {
+  scene::Overrides longer = decay;
+  longer.push_back({"run.until", "\"100 s\""});
+  EXPECT_EQ(sampler(longer, "\"10 molecules/um^3\""), "split");
+}
+
+TEST(SamplerRules, ManyMoleculesThatReactAreLeaptOver) {
+  EXPECT_EQ(sampler(pairing, "\"1e5 molecules/um^3\""), "tau_leaping");
+  EXPECT_EQ(sampler(pairing, "\"10 molecules/um^3\""), "composition_rejection");
 }
 
 }  // namespace

@@ -95,12 +95,25 @@ void add_splitting(const scene::Scene& scene, const Numbers& numbers, std::vecto
                     "Strang 1968: error of second order in the step over the time scale"});
 }
 
+// Langevin amounts are Gaussian numbers kept above zero: right to 1/n in means, and no law at all for few.
+void add_langevin(const scene::Scene& scene, const Numbers& numbers, std::vector<Limit>& limits) {
+  for (std::size_t s = 0; s < scene.species.size(); ++s) {
+    if (scene.species[s].method != scene::SpeciesMethod::langevin) continue;
+    const double n = numbers.species[s].per_voxel;
+    limits.push_back({"smooth noise of " + numbers.species[s].name, n > 0.0 ? 1.0 / n : infinite, 0.01, 0.1,
+                      fmt::format("1/n of {:.3g} molecules in a voxel: numbers below 100 are not Gaussian", n),
+                      "set its method to \"stochastic\", or take a larger domain.spacing",
+                      "Gillespie 2000; Grima, Thomas & Straube 2011"});
+  }
+}
+
 }  // namespace
 
 void judge_chemistry_limits(const scene::Scene& scene, const Numbers& numbers, std::vector<Limit>& limits) {
   add_smallest_voxel(scene, numbers, limits);
   add_largest_voxel(numbers, limits);
   add_splitting(scene, numbers, limits);
+  add_langevin(scene, numbers, limits);
 }
 
 }  // namespace shmoo::coupling

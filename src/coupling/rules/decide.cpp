@@ -20,7 +20,11 @@ Member member_of(const char* effect) {
 }
 
 const char* word(bool on) { return on ? "on" : "off"; }
-const char* word(SpeciesMethod method) { return method == SpeciesMethod::stochastic ? "stochastic" : "deterministic"; }
+const char* word(SpeciesMethod method) {
+  return method == SpeciesMethod::stochastic ? "stochastic"
+         : method == SpeciesMethod::langevin ? "langevin"
+                                             : "deterministic";
+}
 
 Decision judge_effect(const EffectRule& rule, scene::Scene& scene, const Numbers& numbers) {
   const Member member = member_of(rule.effect);
@@ -55,7 +59,7 @@ Decision judge_species(scene::Species& species, const SpeciesNumbers& numbers) {
   for (const MethodRule& rule : method_rules()) {
     const double value = rule.value(numbers);
     if (!rule.holds(value, rule.threshold)) continue;
-    const auto method = rule.stochastic ? SpeciesMethod::stochastic : SpeciesMethod::deterministic;
+    const auto method = rule.method;
     if (decision.automatic)
       species.method = method;
     else if (method != species.method)
@@ -75,7 +79,8 @@ Decision judge_species(scene::Species& species, const SpeciesNumbers& numbers) {
 
 bool undecided(const scene::Scene& scene) {
   const auto open = [](const scene::Species& species) { return species.method == SpeciesMethod::automatic; };
-  return !scene.undecided.empty() || std::any_of(scene.species.begin(), scene.species.end(), open);
+  return !scene.undecided.empty() || scene.numerics.sampler == scene::Sampler::automatic ||
+         std::any_of(scene.species.begin(), scene.species.end(), open);
 }
 
 Decided decide(scene::Scene scene) {
@@ -92,6 +97,10 @@ Decided decide(scene::Scene scene) {
   ours.undecided.clear();
   for (std::size_t s = 0; s < ours.species.size(); ++s)
     decided.decisions.push_back(judge_species(ours.species[s], decided.numbers.species[s]));
+  const auto sampled = [](const auto& species) { return species.method == SpeciesMethod::stochastic; };
+  if (ours.numerics.sampler == scene::Sampler::automatic ||
+      std::any_of(ours.species.begin(), ours.species.end(), sampled))
+    decided.decisions.push_back(judge_sampler(ours, decided.numbers));
   return decided;
 }
 

@@ -10,6 +10,7 @@ namespace shmoo::coupling {
 Judgement judge(scene::Scene scene) {
   auto decided = decide(std::move(scene));
   Judgement judgement{.scene = std::move(decided.scene)};
+  for (const auto& one : decided.numbers.species) judgement.reference.push_back(one.reference);
   for (const auto& decision : decided.decisions) {
     if (!decision.automatic) continue;
     judgement.notes.push_back(line(decision));

@@ -8,6 +8,7 @@
 #include "coupling/splitting.hpp"
 #include "hydro/effects/list.hpp"
 #include "rdme/initial.hpp"
+#include "scene/surface.hpp"
 #include "scene/well.hpp"
 
 namespace shmoo::coupling {
@@ -41,6 +42,14 @@ bool catalyses_itself(const scene::Scene& scene, const rdme::Network& network, i
   return false;
 }
 
+int on_surfaces(const scene::Scene& scene, int species) {
+  const auto names = [&](const scene::Term& term) { return term.species == species; };
+  return int(std::count_if(scene.reactions.begin(), scene.reactions.end(), [&](const scene::Reaction& one) {
+    return scene::on_surface(one) && (std::any_of(one.reactants.begin(), one.reactants.end(), names) ||
+                                      std::any_of(one.products.begin(), one.products.end(), names));
+  }));
+}
+
 void add_species(const scene::Scene& scene, const rdme::Voxels& voxels, Numbers& numbers) {
   // As real amounts, whatever their methods.
   scene::Scene smooth = scene;
@@ -63,6 +72,7 @@ void add_species(const scene::Scene& scene, const rdme::Voxels& voxels, Numbers&
       one.carried = one.carried || (fluid && scene.effects.flow);
     }
     one.catalyses_itself = catalyses_itself(smooth, network, int(s));
+    one.surfaces = on_surfaces(scene, int(s));
     numbers.species.push_back(std::move(one));
   }
   const auto reference = reference_concentrations(scene, largest);

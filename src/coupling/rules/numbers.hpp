@@ -22,6 +22,7 @@ struct SpeciesNumbers {
   double least = 0;      // molecules in a voxel of its home at the start, where they are fewest
   double turnover = 0;   // [1/s] at which reactions use it up at the reference concentrations
   bool carried = false;  // it lives in a fluid that moves
+  int surfaces = 0;      // reactions on surfaces that it takes part in
   bool catalyses_itself = false;  // a reaction that it takes part in makes more of it
 };
 

@@ -26,15 +26,16 @@ struct EffectRule {
 // In the order in which they are decided: the numbers of a later rule may depend on an earlier verdict.
 std::span<const EffectRule> effect_rules();
 
-// Whether a species can be treated as a smooth concentration. The first rule whose condition holds decides.
+// How a species is treated: counted, as a smooth amount with noise, or as a smooth concentration. The first rule whose
+// condition holds decides.
 struct MethodRule {
   const char* number;
   double threshold;
   const char* source;
   double (*value)(const SpeciesNumbers& species);
   bool (*holds)(double value, double threshold);
-  bool stochastic;     // what it decides
-  const char* reason;  // a format of value and threshold
+  scene::SpeciesMethod method;  // what it decides
+  const char* reason;           // a format of value and threshold
 };
 
 std::span<const MethodRule> method_rules();
@@ -42,7 +43,7 @@ std::span<const MethodRule> method_rules();
 // By whom a decision was made, and which.
 struct Decision {
   std::string key;         // "effects.viscosity", "species.L.method"
-  std::string value{};     // "on", "off", "stochastic", "deterministic"
+  std::string value{};     // "on", "off", "stochastic", "langevin", "deterministic", "split"
   bool automatic = false;  // by rule; else by the model file or its defaults
   std::string by_rule{};   // what the rule says, where the file says otherwise
   double number = nothing_known;
@@ -50,5 +51,8 @@ struct Decision {
   double threshold = nothing_known;
   std::string source{}, reason{}, warning{}, without{};
 };
+
+// Which sampler draws the events; decides it where the scene leaves it open.
+Decision judge_sampler(scene::Scene& scene, const Numbers& numbers);
 
 }  // namespace shmoo::coupling

@@ -25,6 +25,7 @@ struct Workload {
 
 std::vector<Workload> chemistry_workloads();
 std::vector<Workload> geometry_workloads();
+std::vector<Workload> smooth_workloads();  // of chemistry
 std::vector<Workload> flow_workloads();
 
 double allocated_bytes();  // on the heap, now

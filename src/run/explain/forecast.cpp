@@ -17,7 +17,7 @@ using Kind = Play::Kind;
 constexpr double carried_intervals = 3;  // at the start, moving, and standing
 
 bool anything_random(const scene::Scene& scene) {
-  const auto sampled = [](const auto& species) { return species.method == scene::SpeciesMethod::stochastic; };
+  const auto sampled = [](const auto& species) { return species.method != scene::SpeciesMethod::deterministic; };
   return (scene.effects.flow && scene.effects.thermal_noise) ||
          std::any_of(scene.species.begin(), scene.species.end(), sampled);
 }

@@ -44,7 +44,7 @@ scene::Scene carried_from_the_start(scene::Scene scene, const coupling::FlowNumb
 
 bool only_sampled(const scene::Scene& scene) {
   return std::none_of(scene.species.begin(), scene.species.end(),
-                      [](const auto& species) { return species.method == scene::SpeciesMethod::deterministic; });
+                      [](const auto& species) { return species.method != scene::SpeciesMethod::stochastic; });
 }
 
 }  // namespace

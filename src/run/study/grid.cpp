@@ -15,7 +15,7 @@ using scene::Scene;
 
 bool is_random(const Scene& scene) {
   bool random = scene.effects.flow && scene.effects.thermal_noise;
-  for (const auto& species : scene.species) random = random || species.method == scene::SpeciesMethod::stochastic;
+  for (const auto& species : scene.species) random = random || species.method != scene::SpeciesMethod::deterministic;
   return random;
 }
 

@@ -68,6 +68,7 @@ double seconds_of(const Wish& wish) {
 int run_bench(const Wish& wish) {
   auto all = bench::chemistry_workloads();
   for (auto& work : bench::geometry_workloads()) all.push_back(std::move(work));
+  for (auto& work : bench::smooth_workloads()) all.push_back(std::move(work));
   for (auto& work : bench::flow_workloads()) all.push_back(std::move(work));
   refuse_unknown(wish.workloads, &bench::Workload::name, "workload", all);
   refuse_unknown(wish.methods, &bench::Workload::method, "method", all);

@@ -19,7 +19,7 @@ struct Experiment {
   std::string minus{};                                     // a species whose molecules count negative
   std::size_t voxels = ~std::size_t{0};
   int realisations = 4000;
-  std::vector<std::string> samplers{"direct", "composition_rejection", "split"};
+  std::vector<std::string> samplers{"direct", "composition_rejection", "split", "tau_leaping"};
 };
 
 // The largest chance at which a law is called broken that holds.

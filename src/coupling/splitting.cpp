@@ -51,16 +51,16 @@ double mass_action(const Reaction& reaction, const std::vector<double>& referenc
   return v;
 }
 
-// The largest rate [1/s] at which a reaction uses up one of its reactants.
+// The largest rate [1/s] at which a reaction renews a species.
 std::pair<double, std::string> fastest_reaction(const rdme::Network& network, const std::vector<double>& reference) {
   double fastest = 0.0;
   std::string name;
   for (const auto& reaction : network.reactions()) {
     if (!reaction.expression.empty() || reaction.per_area) continue;
     const double v = mass_action(reaction, reference);
-    for (const auto& term : reaction.reactants) {
-      const double c = reference[std::size_t(term.species)];
-      const double rate = c > 0.0 ? term.count * v / c : 0.0;
+    for (const auto& change : reaction.changes) {
+      const double c = reference[std::size_t(change.species)];
+      const double rate = c > 0.0 ? std::abs(change.amount) * v / c : 0.0;
       if (rate > fastest) {
         fastest = rate;
         name = reaction.name;

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "scene/document.hpp"
+#include "scene/expression.hpp"
 #include "scene/read.hpp"
 #include "scene/sbml/export.hpp"
 
@@ -79,6 +80,23 @@ TEST(Sbml, RulesInitialAssignmentsAndEvents) {
   ASSERT_EQ(reset.events.size(), 1u);
   EXPECT_EQ(reset.events[0].trigger, "t >= 25");
   EXPECT_EQ(reset.events[0].assignments[0].expression, "50");
+}
+
+// 0.5 zmol/fL in 2 fL are 602.214076 molecules, as a concentration; a rate in zmol/min becomes events per second.
+TEST(Sbml, UnitsThatAreDeclaredCount) {
+  const Scene scene = imported("level-2-moles");
+  EXPECT_DOUBLE_EQ(scene.compartments[0].volume, 2e-18);
+  EXPECT_NEAR(scene.initials[1].concentration.value * 2e-18, 602.214076, 1e-9);
+  EXPECT_EQ(scene.initials[0].count, 0);
+  const std::vector<std::string> names{"cell", "k", "S"};
+  const Expression decay(scene.reactions[0].expression, names);
+  EXPECT_DOUBLE_EQ(decay({2, 0.3, 600}), 0.3 * 600 / 60);
+  ASSERT_EQ(scene.events.size(), 1u);
+  EXPECT_DOUBLE_EQ(Expression(scene.events[0].trigger, {"t"})({120.0}), 0.0);
+  EXPECT_DOUBLE_EQ(Expression(scene.events[0].trigger, {"t"})({120.1}), 1.0);
+  EXPECT_DOUBLE_EQ(Expression(scene.events[0].delay, {})({}), 60.0);
+  // 1 zmol/fL more
+  EXPECT_NEAR(Expression(scene.events[0].assignments[0].expression, {"cell", "S"})({2, 100}), 1304, 1.0);
 }
 
 TEST(Sbml, WhatIsNotSupportedIsNamed) {

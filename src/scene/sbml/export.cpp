@@ -68,6 +68,9 @@ class Export {
   template <class Use>
   void say(const std::string& owner, const Formula& formula, const Use& use) {
     try {
+      for (const char* axis : {"x", "y", "z"})
+        if (scene_.dimension > 0 && reads(formula, axis))
+          throw ExpressionError(fmt::format("it reads the place '{}', which SBML has none of", axis));
       use(sbml::math_of(formula).get());
     } catch (const ExpressionError& error) {
       mistakes_.push_back({{said_.file, 0, 0}, fmt::format("{}: {}", owner, error.what())});

@@ -52,8 +52,6 @@ Formula with_truths(const Formula& formula) {
 }
 
 std::unique_ptr<ASTNode> name_node(const std::string& word) {
-  if (word == "x" || word == "y" || word == "z")
-    throw ExpressionError(fmt::format("it reads the place '{}', which SBML has none of", word));
   if (word == "_pi") return node(AST_CONSTANT_PI);
   if (word == "_e") return node(AST_CONSTANT_E);
   auto made = node(word == "t" ? AST_NAME_TIME : AST_NAME);

@@ -8,7 +8,7 @@
 
 namespace shmoo::scene::sbml {
 
-// `t` becomes the time. Throws ExpressionError where SBML has no such function, or the formula reads x, y or z.
+// `t` becomes the time. Throws ExpressionError where SBML has no such function.
 std::unique_ptr<ASTNode> math_of(const Formula& formula);
 
 // The same where SBML wants a truth: what is not zero.

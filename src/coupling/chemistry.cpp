@@ -8,7 +8,7 @@ Chemistry::Chemistry(const scene::Scene& scene, const rdme::Network& network, co
     if (species.method == scene::SpeciesMethod::stochastic) {
       if (!sampler_) sampler_ = rdme::make_sampler(scene.numerics, network);
     } else if (species.method == scene::SpeciesMethod::langevin) {
-      if (!langevin_) langevin_ = std::make_unique<rdme::LangevinSolver>(network);
+      if (!langevin_) langevin_ = std::make_unique<rdme::LangevinSolver>(network, scene.numerics.leap_tolerance);
     } else if (!solver_) {
       solver_ = std::make_unique<rdme::DeterministicSolver>(network, scene.numerics.tolerance);
     }

@@ -77,7 +77,7 @@ void Well::add_langevin() {
         "events that depend on amounts need species whose numbers are followed event by event or by an integrator; set "
         "the method of all \"langevin\" species to \"stochastic\" or \"deterministic\"");
   }
-  langevin_ = std::make_unique<rdme::LangevinSolver>(plan_.network);
+  langevin_ = std::make_unique<rdme::LangevinSolver>(plan_.network, plan_.scene.numerics.leap_tolerance);
 }
 
 bool Well::realise(const base::RandomKey& key, RecordSink& sink, const Progress& progress, Outcome& outcome) {

@@ -14,7 +14,7 @@ namespace shmoo::rdme {
 namespace {
 
 constexpr double share_of_largest = 0.01, share_of_molecule = 0.01;  // of the absolute tolerance
-constexpr double stiff = 10;                                         // times a reaction could run within an advance
+constexpr double stiff = 100;                                        // times a reaction could run within an advance
 constexpr double products = 100;      // with the Jacobian, whose work may go into its factors
 constexpr double least_step = 1e-18;  // of an advance; what blows up would end in ever shorter ones
 constexpr long most_steps = 1000000;  // of one advance

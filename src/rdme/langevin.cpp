@@ -10,15 +10,16 @@
 namespace shmoo::rdme {
 namespace {
 
-constexpr double part_of_time_scale = 0.1;
+constexpr double part_that_jumps = 0.1;
 constexpr double almost_all = 1 - 1e-14;  // so that round-off leaves nothing below zero
 
 }  // namespace
 
 struct LangevinSolver::Solver {
-  explicit Solver(const Network& of) : network(of), reactions(of), transport(of) {}
+  Solver(const Network& of, double part) : network(of), tolerance(part), reactions(of), transport(of) {}
 
   const Network& network;
+  double tolerance;
   LangevinReactions reactions;
   LangevinTransport transport;
   const Voxels* voxels = nullptr;
@@ -30,7 +31,8 @@ struct LangevinSolver::Solver {
   void stage(double h, const StageAddress& address);
 };
 
-LangevinSolver::LangevinSolver(const Network& network) : solver_(std::make_unique<Solver>(network)) {}
+LangevinSolver::LangevinSolver(const Network& network, double tolerance)
+    : solver_(std::make_unique<Solver>(network, tolerance)) {}
 
 LangevinSolver::~LangevinSolver() = default;
 
@@ -44,10 +46,10 @@ void LangevinSolver::bind(const Voxels& voxels, State& state) {
 
 // [s] at the rates that stand now.
 double LangevinSolver::Solver::longest() {
-  double fastest = 0;  // [1/s]
-  if (react) fastest = reactions.fastest();
-  if (move) fastest = std::max(fastest, transport.fastest());
-  return fastest > 0 ? part_of_time_scale / fastest : std::numeric_limits<double>::infinity();
+  double longest = std::numeric_limits<double>::infinity();
+  if (react) longest = tolerance / reactions.fastest();
+  if (move) longest = std::min(longest, part_that_jumps / transport.fastest());
+  return longest;
 }
 
 // Everything happens as often as its rate says for h [s], but takes no more than there is.

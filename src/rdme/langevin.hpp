@@ -7,7 +7,7 @@
 // and variances have errors of second order in h:
 //   n* = n + sum_r nu_r X(a_r(n) h/2),    n' = n* + sum_r nu_r X([2 a_r(n*) - a_r(n)]^+ h/2),   X(m) = m + sqrt(m) N(0,
 //   1).
-// h is a tenth of the shortest time in which any amount would be renewed.
+// In a step reactions change no amount by more than a given part of it, and a tenth of what is in a voxel jumps.
 //
 // Between two voxels one number passes, with one noise for both directions: what leaves one enters the other. At zero:
 // where all that would take from an amount in a stage takes more than there is, each of these takes its share of what
@@ -22,8 +22,8 @@ namespace shmoo::rdme {
 
 class LangevinSolver {
  public:
-  // The network must outlive the solver.
-  explicit LangevinSolver(const Network& network);
+  // `tolerance`: that part, as numerics.leap_tolerance. The network must outlive the solver.
+  explicit LangevinSolver(const Network& network, double tolerance = scene::Numerics{}.leap_tolerance);
   ~LangevinSolver();
 
   // References must outlive the solver. Throws base::RunError where a rate is negative or not finite.

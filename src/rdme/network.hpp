@@ -15,11 +15,11 @@
 //
 // Reactions between species of different kinds:
 // * A deterministic or Langevin reactant enters the propensity of a sampled reaction as its real amount: n^nu. An event
-// takes or adds
-//   whole molecules of it, and the propensity is zero while the amount is below what an event takes on balance.
-// * An integrated reaction reads stochastic counts and Langevin amounts as they stand at the start of the step (they
-// are frozen in it), through
-//   the same falling factorial.
+//   takes or adds whole molecules of it, and the propensity is zero while the amount is below what an event takes on
+//   balance.
+// * An integrated reaction reads stochastic counts and Langevin amounts as they stand at the start of the step, in
+//   which they are frozen. Counts enter through the same falling
+//   factorial, amounts as powers.
 // * Amounts below zero (deterministic integration, within its tolerance) are read as zero by propensities.
 #include <array>
 #include <cstdint>

@@ -51,7 +51,8 @@ Table numerics_table() {
         {number({1e-6, 0.5})},
         false,
         "0.03",
-        "relative change of a propensity during a leap of tau-leaping (Cao, Gillespie & Petzold 2006)"},
+        "relative change of a propensity in a leap (Cao, Gillespie & Petzold 2006), and of an amount in a Langevin "
+        "step"},
        {"method",
         {choice({"stochastic", "langevin", "deterministic", "auto"})},
         false,

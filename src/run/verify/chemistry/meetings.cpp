@@ -40,7 +40,7 @@ Experiment annihilation() {
       row_of(n,
              species("A", 0) + species("B", 0) + start_in("A", molecules, 0, n / 2) +
                  start_in("B", molecules, n / 2, n) + reaction("A + B -> nothing", "0.5 m^3/(s molecule)"),
-             "8 s", "0.02 s"),
+             "8 s", "1 s"),
       "A"};
   experiment.minus = "B";
   experiment.voxels = n / 2;

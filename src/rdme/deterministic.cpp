@@ -60,6 +60,7 @@ struct DeterministicSolver::Solver {
   bool goes_on(double t) const;
   void start(double t, double dt);
   void step(double t, double dt);
+  double pass(double t, double until);
   void write_amounts(const double* y);
   void write();
 };
@@ -186,6 +187,7 @@ void DeterministicSolver::Solver::start(double t, double dt) {
 void DeterministicSolver::Solver::step(double t, double dt) {
   double now = t;
   error = nullptr;
+  if (system.reads_time()) CVodeSetStopTime(integrator->memory, t + dt);  // what is beyond may be another law
   const int flag = CVode(integrator->memory, t + dt, integrator->y, &now, CV_NORMAL);
   if (error) std::rethrow_exception(error);
   if (flag < 0) {
@@ -252,14 +254,30 @@ double DeterministicSolver::advance(double t, double dt, Process process) {
     solver.create(t, dt);
     solver.fresh = true;
   }
-  if (!solver.goes_on(t)) solver.start(t, dt);
-  solver.fresh = true;  // until it has gone well
-  solver.step(t, dt);
-  solver.write();
-  solver.fresh = false;
-  solver.amounts = solver.state->amount;
-  if (solver.reads_counts) solver.counts = solver.state->count;
-  return solver.reached;
+  // From jump to jump of rates that contain t: no step reaches across, so that no pulse is too short to be seen.
+  std::vector<double> moments;
+  solver.system.add_steps(t, t + dt, moments);
+  std::ranges::sort(moments);
+  double from = t;
+  for (const double moment : moments) {
+    if (moment <= from) continue;
+    const double before = std::nextafter(moment, from);
+    if (before > from && solver.pass(from, before) < before) return solver.reached;
+    from = moment;
+    solver.fresh = true;
+  }
+  return from < t + dt ? solver.pass(from, t + dt) : t + dt;
+}
+
+double DeterministicSolver::Solver::pass(double t, double until) {
+  if (!goes_on(t)) start(t, until - t);
+  fresh = true;  // until it has gone well
+  step(t, until - t);
+  write();
+  fresh = false;
+  amounts = state->amount;
+  if (reads_counts) counts = state->count;
+  return reached;
 }
 
 void DeterministicSolver::watch(RootWatch* watch) { solver_->watch = watch; }

@@ -24,7 +24,7 @@ Laws::Laws(const Network& network, Treatment of) {
     if (!reaction.expression.empty() && reaction.treatment() == of) {
       law.expression = static_cast<int>(expressions.size());
       expressions.emplace_back(reaction.expression, expression_names(network));
-      if (of == Treatment::sampled && reaction.reads_time) {
+      if (reaction.reads_time) {
         law.timed = static_cast<int>(timed.size());
         timed.emplace_back(reaction.expression, expression_names(network));
       }

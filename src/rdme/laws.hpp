@@ -25,7 +25,7 @@ struct Law {
   int expression = -1;                // index; -1: mass action
   bool surface = false;
   bool simple = true;  // mass action in one voxel
-  int timed = -1;      // index where a sampled rate contains t
+  int timed = -1;      // index where the rate contains t
 };
 
 struct Laws {

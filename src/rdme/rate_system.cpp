@@ -219,6 +219,12 @@ double RateSystem::expression_rate(const Law& law, int reaction, std::size_t vox
                   network_.reactions()[reaction].name, a, voxel, expression.time()));
 }
 
+void RateSystem::add_steps(double from, double to, std::vector<double>& moments) {
+  if (!reactions_ || laws_.timed.empty()) return;
+  laws_.set_parameters(network_, state_->parameter.data());
+  for (TimedRate& rate : laws_.timed) rate.common_steps(from, to, moments);
+}
+
 void RateSystem::check_signs(double t, double dt, const double* y, double allowed) {
   if (!reactions_ || laws_.expressions.empty()) return;
   for (Expression& expression : laws_.expressions) expression.set_time(t);

@@ -43,6 +43,10 @@ class RateSystem {
   // that every conservation law of the network holds after it as before; an amount that nothing took from stays.
   void lift_negatives(double* y) const;
 
+  // Adds the first moment in [from, to] behind each jump of a rate at a time that is the same everywhere.
+  void add_steps(double from, double to, std::vector<double>& moments);
+  bool reads_time() const { return !laws_.timed.empty(); }
+
   // Throws base::RunError, naming reaction, voxel and time, where an expression is so far below zero at y that a time
   // dt of it would take more than `allowed` molecules.
   void check_signs(double t, double dt, const double* y, double allowed);

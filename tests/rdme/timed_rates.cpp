@@ -1,4 +1,5 @@
 // Rates that contain t, by every method: the laws of births and deaths at k(t) are known.
+#include "rdme/deterministic.hpp"
 #include "rdme/time/steps_of.hpp"
 #include "rdme/time/timed_rate.hpp"
 #include "trial.hpp"
@@ -109,6 +110,24 @@ TEST_P(TimedRates, RefuseWhatIsInvalidInMidRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Method, TimedRates, every_method, method_name);
+
+// Integrated rates: a pulse far shorter than what the integrator would step over counts in full.
+TEST(TimedRates, IntegratedPulsesAreSeen) {
+  scene::Scene scene = water();
+  const int x = add_species(scene, "X", 0.0, scene::SpeciesMethod::deterministic);
+  add_reaction(scene, "birth", {}, {{x, 1}}, 0, "t > 7 && t < 7.0001 ? 90000 : (t > 9 ? 3 : 2)");
+  const Network network(scene);
+  const Voxels voxels = lattice({1, 1, 1}, false, 1.0, 1);
+  State state = empty_state(network, 1);
+  open_ledger(state, network);
+  DeterministicSolver solver(network, 1e-8);
+  solver.bind(voxels, state);
+  EXPECT_EQ(solver.advance(0.0, 5.0, Process::both), 5.0);
+  EXPECT_EQ(solver.advance(5.0, 4.0, Process::both), 9.0);
+  solver.advance(9.0, 1.0, Process::both);
+  EXPECT_NEAR(state.amount[x], 2 * (9 - 0.0001) + 9 + 3, 1e-6);
+  EXPECT_EQ(imbalance(state, network), "");
+}
 
 TEST(StepsOf, FindsComparisonsAndRoundings) {
   const auto steps = steps_of("k*(t >= a+1 && f(t, 2) < b ? 1 : sign(t-3))");

@@ -137,7 +137,7 @@ class Builder {
     each(i, [&](std::uint32_t p, std::size_t j, const base::Vec<D>& x_ij, double F) {
       if (!(mirrored_.crossed[p] & open_)) add(row, i, j, p, x_ij, (scale_[i] + scale_[j]) * places_.area[j] * F);
     });
-    if (mirrored_.position.size() > places_.position.size()) merge(row.jumps);
+    merge(row.jumps);
     add_surface(i, row);
     return row;
   }

@@ -47,7 +47,7 @@ TEST(Bench, EveryMethodIsRightOnSmallWorkloads) {
 TEST(Bench, RefusesWhatItDoesNotKnow) {
   auto said = bench({"D3-11"});
   EXPECT_EQ(said.code, run::exit_input);
-  EXPECT_NE(said.err.find("there is no workload 'D3-11'; there are: CAVITY-100, D3-10"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("there is no workload 'D3-11'; there are: CAVITY-100, D-sph, D3-10"), std::string::npos) << said.err;
   said = bench({"--method", "guess"});
   EXPECT_NE(said.err.find("there is no method 'guess'"), std::string::npos);
   said = bench({"D3-10", "--seconds", "-1"});

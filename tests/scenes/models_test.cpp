@@ -36,6 +36,7 @@ const std::map<std::string, std::string> short_time{
     {"validation/annihilation-1d/model.toml", "0.01 s"},
     {"validation/diffusion-1d/model.toml", "0.01 s"},
     {"validation/diffusion-2d/model.toml", "0.1 s"},
+    {"validation/dimerisation/model.toml", "1 us"},
     {"validation/poiseuille/model.toml", "0.01 s"},
     {"validation/reversible-binding/model.toml", "0.01 s"},
     {"validation/taylor-green/model.toml", "0.01 s"},

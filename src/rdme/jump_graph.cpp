@@ -216,7 +216,8 @@ class Builder {
     return 0.5 * coupling * places_.area[i] * (places_.drift[i] + other).dot(x_ij) * depth_;
   }
 
-  // A particle and its images are one target: add their couplings. Sorted by target.
+  // A particle and its images are one target: add their couplings. Ascending by target, as whoever compares the rows of
+  // two graphs expects.
   static void merge(std::vector<Jump>& jumps) {
     std::stable_sort(jumps.begin(), jumps.end(), [](const Jump& a, const Jump& b) { return a.target < b.target; });
     std::size_t kept = 0;

@@ -35,7 +35,7 @@ TEST(Verify, RefusesUnknownSuitesAndCases) {
   EXPECT_NE(said.err.find("the suites are: chemistry, stability"), std::string::npos);
   said = verify({"stability", "--case", "nothing"});
   EXPECT_EQ(said.code, run::exit_input);
-  EXPECT_NE(said.err.find("its cases are: disordered"), std::string::npos);
+  EXPECT_NE(said.err.find("the cases are: disordered"), std::string::npos);
 }
 
 }  // namespace

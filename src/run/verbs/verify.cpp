@@ -1,4 +1,4 @@
-// shmoo verify SUITE: runs cases that are judged by laws, and says which hold.
+// shmoo verify [SUITE]: runs cases that are judged by laws, and says which hold.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,11 +27,20 @@ struct Verdict {
   }
 };
 
-std::vector<verify::Case> wanted(const Wish& wish) {
-  if (wish.suite != "stability" && wish.suite != "chemistry")
+std::vector<verify::Case> cases_of(const Wish& wish) {
+  const bool both = wish.suite.empty();
+  if (!both && wish.suite != "stability" && wish.suite != "chemistry")
     throw base::InputError(fmt::format("there is no suite '{}'; the suites are: chemistry, stability", wish.suite));
   const auto seed = wish.seed.empty() ? 1 : whole_number("--seed", wish.seed, 0, ~std::uint64_t{0} >> 1);
-  auto all = wish.suite == "stability" ? verify::stability_cases() : verify::chemistry_cases(seed);
+  std::vector<verify::Case> all;
+  if (both || wish.suite == "chemistry") all = verify::chemistry_cases(seed);
+  if (both || wish.suite == "stability")
+    for (auto& one : verify::stability_cases()) all.push_back(std::move(one));
+  return all;
+}
+
+std::vector<verify::Case> wanted(const Wish& wish) {
+  const auto all = cases_of(wish);
   if (wish.cases.empty()) return all;
   std::vector<verify::Case> some;
   for (const auto& name : wish.cases) {
@@ -39,7 +48,7 @@ std::vector<verify::Case> wanted(const Wish& wish) {
     if (found == all.end()) {
       std::string names;
       for (const auto& one : all) names += (names.empty() ? "" : ", ") + one.name;
-      throw base::InputError(fmt::format("'{}' has no case '{}'; its cases are: {}", wish.suite, name, names));
+      throw base::InputError(fmt::format("there is no case '{}'; the cases are: {}", name, names));
     }
     some.push_back(*found);
   }
@@ -112,8 +121,7 @@ void declare_verify(CLI::App& app, Desk& desk) {
   auto wish = std::make_shared<Wish>();
   auto* verb = app.add_subcommand("verify", "Run cases that are judged by laws, on this machine");
   verb->add_option("SUITE", wish->suite,
-                   "chemistry: every sampler against exact laws; stability: hard cases, run to a long time")
-      ->required();
+                   "chemistry: every sampler against exact laws; stability: hard cases, run to a long time [both]");
   verb->add_option("--seed", wish->seed, "of the random numbers of chemistry [1]");
   verb->add_option("--case", wish->cases, "only this case; may be repeated")
       ->take_all()

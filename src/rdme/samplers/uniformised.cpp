@@ -16,10 +16,10 @@ namespace {
 constexpr std::int64_t worth_threads = 20000;  // molecules that move
 
 // What work costs [ns], measured, where rows are `blocks` long: each move of a molecule that walks to its end, a
-// molecule that makes one move among its voxel's, a voxel that is moved in counts.
+// molecule that makes one move among its voxel's, a voxel that is moved in counts, and looking at any voxel.
 struct Costs {
-  explicit Costs(double blocks) : walk(1 + 4 * blocks), single(4 + 1.5 * blocks), row(50 + 300 * blocks) {}
-  double walk, single, row;
+  explicit Costs(double blocks) : walk(1 + 4 * blocks), single(1 + 1.7 * blocks), row(50 + 300 * blocks) {}
+  double walk, single, row, look = 20;
 };
 constexpr double rounds_after = 6;  // the last molecules make about this many moves more than the mean
 
@@ -113,12 +113,15 @@ void UniformisedDiffusion::rounds(const Walk& walk, base::Stream stream, const s
 // each.
 void UniformisedDiffusion::choose_way(const JumpTable& table) {
   const Costs costs(table.mean_blocks());
-  double walking = 0, round = 0;
-  for (const std::int64_t n : active_) {
-    walking += (1 + costs.walk * moves_.mean) * static_cast<double>(n);
-    round += std::min(costs.row, costs.single * static_cast<double>(n));
+  const double rounds = moves_.mean + rounds_after;
+  double walking = 0, together = 0;
+  for (const std::int64_t here : active_) {
+    if (here == 0) continue;
+    const auto n = static_cast<double>(here);
+    walking += (1 + costs.walk * moves_.mean) * n;
+    together += costs.look * rounds + std::min(costs.row * rounds, costs.single * n * (moves_.mean + 1));
   }
-  walk_out_ = walking <= round * (moves_.mean + rounds_after);
+  walk_out_ = walking <= together;
   many_ = costs.row / costs.single;
 }
 

@@ -26,7 +26,7 @@ struct Ledger {
 struct State {
   std::size_t species = 0;
   std::vector<std::int64_t> count;
-  std::vector<double> amount;  // empty where no species is deterministic
+  std::vector<double> amount;     // empty where no species is deterministic
   std::vector<double> parameter;  // SI, of those that events change, in the order of Network::varying()
   Ledger ledger;
   std::uint64_t reaction_events = 0;
@@ -43,9 +43,8 @@ double total_amount(const State& state, int species);
 // Takes what is there now as what the ledger starts from.
 void open_ledger(State& state, const Network& network);
 
-// Does the ledger account for every molecule? Exact for counts, to `tolerance` of all that ever was there, or of a molecule,
-// for amounts.
-// Returns the empty string, or which species is off and by how much.
+// Does the ledger account for every molecule? Exact for counts, to `tolerance` of all that ever was there, or of a
+// molecule, for amounts. Returns the empty string, or which species is off and by how much.
 std::string imbalance(const State& state, const Network& network, double tolerance = 1e-9);
 
 }  // namespace shmoo::rdme

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "scene/solid.hpp"
 
 namespace shmoo::scene {
 
@@ -40,6 +41,7 @@ enum class MaterialType {
   fluid,   // flows where the flow is on
   wall,    // rigid; no-slip for the fluid
   still,   // never moves and does not act on a fluid's motion: gels, slabs, wells of pure chemistry
+  solid,   // elastic: see Elastic
 };
 
 // A rigid motion: velocity + angular_velocity x (position - center). In 2-D the angular velocity has a z component only.
@@ -57,6 +59,7 @@ struct Material {
   double bulk_viscosity = 0;                    // [Pa s], zeta, fluids
   std::optional<RigidMotion> motion;            // walls: particles move
   std::optional<RigidMotion> surface_motion;    // walls: the surface slides, particles stay
+  std::optional<Elastic> elastic{};             // solids
 };
 
 struct Region {
@@ -66,17 +69,25 @@ struct Region {
 };
 
 // ---- domain --------------------------------------------------------------------------------------------------------
-enum class SideType { periodic, wall, reflect };  // wall: no-slip for the fluid and reflecting for species
+// wall: no-slip for the fluid and reflecting for species; slip: a wall without friction; inlet and outlet: particles enter
+// and leave
+enum class SideType { periodic, wall, reflect, slip, inlet, outlet };
 
 struct Side {
   SideType type = SideType::reflect;
-  Point velocity{};  // [m/s] sliding velocity of a wall side
+  Point velocity{};  // [m/s] sliding velocity of a wall side; of what enters at an inlet
+};
+
+struct Refinement {
+  ShapePointer shape;
+  double spacing = 0;  // [m]
 };
 
 struct Domain {
   Point lower{}, upper{};                      // [m]
   double spacing = 0;                          // [m]
   std::array<std::array<Side, 2>, 3> sides{};  // [axis][0 = min, 1 = max]
+  std::vector<Refinement> refinements{};       // where particles stand closer
   int material = -1;                           // what fills all that no region covers; -1: nothing
   double jitter = 0;                           // random displacement of each starting position, in spacings (uniform in +-jitter per axis)
 };
@@ -175,7 +186,16 @@ struct Inflow {
   int ramp_exponent = 0;
 };
 
+// A species makes the fluid lighter or heavier (Boussinesq): acceleration -expansion (C - reference) gravity.
+struct Buoyancy {
+  int species = 0;
+  double expansion = 0;  // [m^3/molecule]
+  double reference = 0;  // [molecules/m^3]
+};
+
 struct Flow {
+  Point gravity{};                                 // [m/s^2], of buoyancy
+  std::vector<Buoyancy> buoyancy;
   std::optional<Point> body_force;                 // [m/s^2], acceleration
   std::vector<Quantity> initial_velocity;          // [m/s], one per axis; empty: at rest
   std::optional<double> reference_speed;           // [m/s]
@@ -208,7 +228,10 @@ inline constexpr std::array<EffectKey, 7> effect_keys{{{"flow", &Effects::flow},
 
 // ---- how -----------------------------------------------------------------------------------------------------------
 enum class Kernel { lucy, cubic_spline, quintic_spline, wendland_c2 };
-enum class PressureForm { symmetric, difference };
+enum class PressureForm { symmetric, difference, riemann };
+enum class DensityForm { automatic, continuity, summation };
+enum class WallForm { automatic, extrapolated, second_order, closest_point };  // what a fluid sees in a wall
+enum class ViscousStep { automatic, explicit_step, implicit_step };
 enum class Sampler { direct, composition_rejection, split, tau_leaping, automatic };  // automatic: rules decide
 enum class Splitting { lie, strang };
 enum class Limits { refuse, warn };  // what a run does that is beyond a limit that makes its result worthless
@@ -217,6 +240,10 @@ struct Numerics {
   Kernel kernel = Kernel::wendland_c2;
   double reach = 3.0;                            // kernel support in spacings
   PressureForm pressure = PressureForm::symmetric;
+  DensityForm density = DensityForm::automatic;
+  WallForm walls = WallForm::automatic;
+  ViscousStep viscous_step = ViscousStep::automatic;
+  bool shepard = false;                          // renormalise densities now and then
   double courant = 0.25;                         // of hs/(c0 + U)
   Sampler sampler = Sampler::composition_rejection;
   Splitting splitting = Splitting::strang;
@@ -267,6 +294,7 @@ struct Scene {
   std::string file;  // as given
   std::string text;  // the model file's bytes, overrides applied
   int dimension = 2;
+  bool axisymmetric = false;  // of two dimensions: x along the axis, y the distance from it
   double depth = 1;  // [m] in 2-D, [m^2] in 1-D, 1 in 3-D
   Domain domain;
   std::vector<Material> materials;
@@ -281,6 +309,7 @@ struct Scene {
   std::vector<SpeciesBoundary> boundaries;
   std::vector<Inflow> inflows;
   Flow flow;
+  Mechanics mechanics;
   Effects effects;
   std::vector<bool Effects::*> undecided;  // "auto": rules decide before anything runs; until then as without rules
   Numerics numerics;

@@ -87,6 +87,8 @@ Role role_of(scene::MaterialType type) {
       return Role::fluid;
     case scene::MaterialType::wall:
       return Role::wall;
+    case scene::MaterialType::solid:
+      return Role::solid;
     case scene::MaterialType::still:
       break;
   }

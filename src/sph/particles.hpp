@@ -15,7 +15,7 @@ namespace shmoo::sph {
 using base::Mat;
 using base::Vec;
 
-enum class Role : std::uint8_t { fluid, wall, still };
+enum class Role : std::uint8_t { fluid, wall, still, solid };
 
 class ColumnBase {
  public:

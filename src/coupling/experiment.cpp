@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "coupling/activity.hpp"
 #include "coupling/chemistry.hpp"
 #include "coupling/recorder.hpp"
 #include "coupling/rules/judgement.hpp"
@@ -72,6 +73,13 @@ class ExperimentOf final : public Experiment {
       derive(*timeline);
     }
     return random() ? true : tell(0, sink, progress, alike_);
+  }
+
+  std::vector<double> activity(const std::function<bool()>& stop) const override {
+    if (scene_->effects.flow || !has_chemistry_ || !random() || !start_) return {};
+    std::array<double, 3> period{};
+    for (int a = 0; a < D; ++a) period[std::size_t(a)] = filling_.box.periodic[a] ? filling_.box.size()[a] : 0.0;
+    return foretell_activity(*scene_, start_->ground()->voxels, period, stop);
   }
 
   bool realise(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) override {

@@ -52,6 +52,10 @@ class Experiment {
   // `sink`. Called once, before any realise(). Returns false if stopped.
   virtual bool prepare(RecordSink& sink, const Progress& progress) = 0;
 
+  // Mean events per second [1/s] in equal parts of a realisation of sampled chemistry, foretold after prepare() without
+  // running one (coupling/activity.hpp). Empty where the flow moves or nothing is foretold.
+  virtual std::vector<double> activity(const std::function<bool()>& /*stop*/) const { return {}; }
+
   // Runs realisation k to the end; thread-safe after prepare(). Its result depends on the scene and k only, never on
   // how many others run or where. Returns false if stopped.
   virtual bool realise(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) = 0;

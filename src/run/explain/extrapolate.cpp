@@ -42,6 +42,31 @@ Line fit(const std::vector<Moment>& moments) {
   return line;
 }
 
+// The integral of a course told in equal parts of the whole.
+double integral(const std::vector<double>& course, double from, double to) {
+  const double parts = double(course.size());
+  double sum = 0.0;
+  for (std::size_t k = 0; k < course.size(); ++k) {
+    const double overlap = std::min(to, double(k + 1) / parts) - std::max(from, double(k) / parts);
+    if (overlap > 0.0) sum += overlap * course[k];
+  }
+  return sum;
+}
+
+// Where it is foretold how busy the run will be: as long for each event as in the part that was seen.
+std::optional<Course> by_activity(const Rehearsal& rehearsal) {
+  const auto& moments = rehearsal.realised;
+  const std::size_t begin = moments.size() > first_pure ? first_pure - 1 : 0;  // of what is seen to be pure
+  const Moment pure = moments.size() > 1 ? moments[begin] : Moment{};
+  const double seen = integral(rehearsal.activity, pure.fraction, moments.back().fraction);
+  if (!(seen > 0.0)) return {};
+  const double an_event = (moments.back().seconds - pure.seconds) / seen;
+  Course course;
+  course.standing_once = std::max(0.0, pure.seconds - an_event * integral(rehearsal.activity, 0.0, pure.fraction));
+  course.each = an_event * integral(rehearsal.activity, 0.0, 1.0) + rehearsal.closing_seconds;
+  return course;
+}
+
 constexpr double enough_to_see_a_slope = 0.05;  // of the whole
 constexpr double most_change = 4.0;             // of the pace
 
@@ -52,6 +77,7 @@ Course extrapolate(const Rehearsal& rehearsal, double until_even) {
   if (moments.empty()) return {rehearsal.closing_seconds};
   if (!rehearsal.others.empty())
     return {std::accumulate(rehearsal.others.begin(), rehearsal.others.end(), 0.0) / double(rehearsal.others.size())};
+  if (const auto course = by_activity(rehearsal)) return *course;
   const double told = moments.back().seconds, from = moments.back().fraction;
   if (rehearsal.finished || moments.size() < first_pure + 2) return {(told + rehearsal.closing_seconds) / from};
   Line line = fit(moments);

@@ -107,6 +107,10 @@ Rehearsal rehearse(const scene::Scene& scene, const Maker& make, double budget) 
       base::cpu_seconds() - start - (result.realised.empty() ? 0.0 : result.realised.back().seconds);
   result.state_bytes = peak - prepared;
   progress.report = {};
+  if (!result.finished && !rdme::takes_turns(scene.numerics.sampler)) {
+    const double begin_to_foretell = base::cpu_seconds();
+    result.activity = experiment->activity([&] { return base::cpu_seconds() - begin_to_foretell > budget; });
+  }
   for (std::uint32_t k = 1; result.finished && !stop() && int(k) < std::min(experiment->scene().run.realisations, 20);
        ++k) {
     const double again = base::cpu_seconds();

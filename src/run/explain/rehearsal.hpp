@@ -37,7 +37,8 @@ struct Rehearsal {
   std::vector<Moment> realised{};  // of realisation 0, after every interval
   double closing_seconds = 0;      // CPU time after the last of them
   bool finished = false;
-  std::vector<double> others{};  // CPU time of further realisations, where the first was short
+  std::vector<double> activity{};  // [1/s] in equal parts of the time played; empty: not foretold
+  std::vector<double> others{};    // CPU time of further realisations, where the first was short
   std::size_t experiment_bytes = 0, shared_bytes = 0, state_bytes = 0;  // heap: made, prepared, in a realisation
 };
 

@@ -139,7 +139,7 @@ FlowCosts measure(const scene::Scene& scene, int threads, double budget) {
   const auto& fluid = *whole.fluid;
   FlowCosts costs{.particles = fluid.particles().size(), .step = fluid.dt()};
   costs.column_bytes = fluid.particles().bytes();
-  costs.row_bytes = fluid.state().rows.slots() * (sizeof(double) + sizeof(std::int32_t));
+  costs.row_bytes = fluid.state().rows.bytes();
   for (std::size_t v = 1; v < variants.size(); ++v) costs.effects.push_back(cost_of(whole, variants[v]));
   const double half_skin = 0.5 * (fluid.state().rows.cutoff() - fluid.scales().reach);
   costs.builds_per_step = std::min(1.0, fluid.scales().speed * fluid.dt() / half_skin);

@@ -1,18 +1,14 @@
 #include "hydro/density_sweep.hpp"
 
-#include <Eigen/LU>
-#include <cmath>
+#include <algorithm>
+
+#include "hydro/lane_matrix.hpp"
 
 namespace shmoo::hydro {
 namespace {
 
-// B = M^-1, M = sum_j V_j F x x^T, or 1 where a particle has too few neighbours for a correction. 1 is M's value for
-// full support.
-template <int D>
-base::Mat<D> invert(const base::Mat<D>& second) {
-  if (!(second.determinant() > 0.02)) return base::Mat<D>::Identity();
-  return second.inverse();
-}
+// Below this determinant of the second moment, 1 for full support, a particle has too few neighbours for a correction.
+constexpr double least_support = 0.02;
 
 template <int D, class Kernel, class Density, class Diffusion, class Transport>
 class DensitySweep {
@@ -27,97 +23,116 @@ class DensitySweep {
         dt_(dt),
         next_dt_(next_dt) {}
 
-  void particle(std::size_t i) {
-    Sums sums{};
-    const double* x = state_.particles.position[0].data();
-    const double* v = state_.velocity[0].data();
-    const double* volume = state_.volume.values().data();
-    const double* density = state_.density.values().data();
-    for (std::uint64_t p = state_.rows.first(i); p < state_.rows.first(i + 1); p += lanes) {
-      const std::int32_t* partner = state_.rows.partner() + p;
-      DensityPair<D> pair;
-      Lane r2{};
-      for (int a = 0; a < D; ++a) {
-        gather(pair.x[a], x, partner, D, a);
-        pair.x[a] = x[D * i + std::size_t(a)] - pair.x[a];
-        axes_[std::size_t(a)].to_nearest(pair.x[a]);
-        r2 += pair.x[a] * pair.x[a];
-        gather(pair.v[a], v, partner, D, a);
-        pair.v[a] = v[D * i + std::size_t(a)] - pair.v[a];
-      }
-      double* weight = state_.rows.weight.data() + p;
-      kernel_values(r2, weight);
-      Lane F;
-      __builtin_memcpy(&F, weight, sizeof(F));
-      gather(pair.FV, volume, partner);
-      pair.FV *= F;
-      sums.add(pair);
-      if constexpr (Density::summed) add_kernel(r2, partner, std::int32_t(i), sums.kernel);
-      if constexpr (present<Diffusion>) {
-        gather(pair.density, density, partner);
-        pair.density -= density[i];
-        Diffusion::add(pair, sums.diffusion);
-      }
-      if constexpr (present<Transport>) Transport::add(pair, sums.transport);
+  void block(std::size_t b) {
+    find_near(b);
+    const Block& block = state_.rows.blocks[b];
+    const std::int32_t* near = state_.rows.blocks.near(block);
+    Own own;
+    for (int a = 0; a < D; ++a) {
+      own.x[a] = load(coordinate(a) + lanes * b);
+      own.v[a] = state_.slots.own_velocity(b, a);
     }
-    finish(i, sums);
+    if constexpr (present<Diffusion>) own.density = load(state_.slots.density.data() + lanes * b);
+    Sums sums{};
+    for (std::uint32_t k = 0; k < block.near; ++k) add(own, std::size_t(near[k]), sums);
+    finish(b, sums);
   }
 
  private:
+  struct Own {
+    Lane x[D], v[D], density;
+  };
   struct Sums {
-    Lane second[D][D], gradient[D][D];  // sum_j V_j F x x^T (a <= b), sum_j V_j F v_ij x_ij^T
+    Lane second[D][D];       // sum_j V_j F x x^T (a <= b)
+    LaneMatrix<D> gradient;  // sum_j V_j F v_ij x_ij^T
     Lane diffusion[1], transport[D], kernel;
-
-    void add(const DensityPair<D>& pair) {
-      for (int a = 0; a < D; ++a) {
-        const Lane Fx = pair.FV * pair.x[a];
-        for (int b = a; b < D; ++b) second[a][b] += Fx * pair.x[b];
-        for (int b = 0; b < D; ++b) gradient[b][a] += Fx * pair.v[b];
-      }
-    }
   };
 
-  void kernel_values(const Lane& r2, double* weight) const {
-    const Kernel kernel = kernel_;
-    double distance2[lanes];
-    __builtin_memcpy(distance2, &r2, sizeof(r2));
-#pragma omp simd
-    for (int l = 0; l < lanes; ++l) weight[l] = kernel.F(std::sqrt(distance2[l]));
-  }
+  const double* coordinate(int axis) const { return state_.rows.blocks.coordinate[std::size_t(axis)].data(); }
 
-  // Adds W_ij, leaving out the padding.
-  void add_kernel(const Lane& r2, const std::int32_t* partner, std::int32_t i, Lane& sum) const {
-    double W[lanes];
-    for (int l = 0; l < lanes; ++l) W[l] = partner[l] == i ? 0.0 : kernel_.W(std::sqrt(r2[l]));
-    Lane values;
-    __builtin_memcpy(&values, W, sizeof(values));
-    sum += values;
-  }
-
-  double next_density(std::size_t i, const Sums& sums, double divergence) const {
-    if constexpr (Density::summed) return density_.factor * (kernel_.W(0.0) + total(sums.kernel));
-    double rate = -state_.density[i] * divergence;
-    if constexpr (present<Diffusion>) rate += diffusion_.rate(sums.diffusion);
-    return state_.density[i] + dt_ * rate;
-  }
-
-  void finish(std::size_t i, const Sums& sums) {
-    base::Mat<D> second, raw;
-    for (int a = 0; a < D; ++a) {
-      for (int b = a; b < D; ++b) second(a, b) = second(b, a) = total(sums.second[a][b]);
-      for (int b = 0; b < D; ++b) raw(b, a) = total(sums.gradient[b][a]);
+  // Of the partners, which lie within a skin of the reach, those within reach of one of the eight.
+  void find_near(std::size_t b) {
+    auto& blocks = state_.rows.blocks;
+    Block& block = blocks[b];
+    const std::int32_t* partners = blocks.partners(block);
+    std::int32_t* near = blocks.near(block);
+    const double limit = kernel_.reach() * kernel_.reach();
+    Lane own[D];
+    for (int a = 0; a < D; ++a) own[a] = load(coordinate(a) + lanes * b);
+    std::uint32_t found = 0;
+    for (std::uint32_t k = 0; k < block.partners; ++k) {
+      const std::int32_t slot = partners[k];
+      Lane r2{};
+      for (int a = 0; a < D; ++a) {
+        const Lane d = own[a] - coordinate(a)[slot];
+        r2 = fma(d, d, r2);
+      }
+      near[found] = slot;
+      found += any_below(r2, limit);
     }
-    const base::Mat<D> B = invert<D>(second);
-    const base::Mat<D> gradient = raw * B;  // grad v, (a, b) = d v_a/d x_b
-    state_.next_density[i] = next_density(i, sums, gradient.trace());
-    if (state_.scaling) (*state_.scaling)[i] = D / std::max(second.trace(), 0.5 * D);
-    if (state_.correction) (*state_.correction)[i] = B;
-    if constexpr (present<Transport>) {
-      const base::Vec<D> dv = transport_.shift(sums.transport, next_dt_);
-      (*state_.shift)[i] = dv;
-      state_.acceleration[i] = gradient * dv;
-    } else {
-      state_.acceleration[i].setZero();
+    block.near = found;
+  }
+
+  void add(const Own& own, std::size_t slot, Sums& sums) const {
+    const auto& slots = state_.slots;
+    DensityPair<D> pair;
+    Lane r2 = same(tiny);
+    for (int a = 0; a < D; ++a) {
+      pair.x[a] = own.x[a] - coordinate(a)[slot];
+      r2 = fma(pair.x[a], pair.x[a], r2);
+      pair.v[a] = own.v[a] - slots.velocity[std::size_t(a)][slot];
+    }
+    const Lane r = r2 * inverse_root(r2);
+    pair.FV = kernel_.F(r) * slots.volume[slot];
+    for (int a = 0; a < D; ++a) {
+      const Lane Fx = pair.FV * pair.x[a];
+      for (int b = a; b < D; ++b) sums.second[a][b] = fma(Fx, pair.x[b], sums.second[a][b]);
+      for (int b = 0; b < D; ++b) sums.gradient.at[b][a] = fma(Fx, pair.v[b], sums.gradient.at[b][a]);
+    }
+    if constexpr (Density::summed) sums.kernel += kernel_.W(r);
+    if constexpr (present<Diffusion>) {
+      pair.density = slots.density[slot] - own.density;
+      Diffusion::add(pair, sums.diffusion);
+    }
+    if constexpr (present<Transport>) Transport::add(pair, sums.transport);
+  }
+
+  Lane next_density(const Block& block, const Sums& sums, const Lane& divergence) const {
+    if constexpr (Density::summed) return density_.factor * sums.kernel;
+    Lane now{};
+    for (std::uint32_t l = 0; l < block.size; ++l) now[l] = state_.density[block.first + l];
+    Lane rate = -now * divergence;
+    if constexpr (present<Diffusion>) rate += diffusion_.rate(sums.diffusion);
+    return now + dt_ * rate;
+  }
+
+  void finish(std::size_t b, const Sums& sums) {
+    const Block& block = state_.rows.blocks[b];
+    const auto B = symmetric_inverse<D>(sums.second, least_support);
+    const auto gradient = product(sums.gradient, B);  // grad v, (a, b) = d v_a/d x_b
+    const Lane density = next_density(block, sums, gradient.trace());
+    Lane second = sums.second[0][0], dv[D], acceleration[D];
+    for (int a = 1; a < D; ++a) second += sums.second[a][a];
+    const Lane scaling = D / larger(second, same(0.5 * D));
+    if constexpr (present<Transport>) transport_.shift(sums.transport, next_dt_, dv);
+    for (int a = 0; a < D; ++a) {
+      acceleration[a] = Lane{};
+      if constexpr (present<Transport>) {
+        for (int c = 0; c < D; ++c) acceleration[a] += gradient.at[a][c] * dv[c];
+      }
+    }
+    for (std::uint32_t l = 0; l < block.size; ++l) {
+      const std::size_t i = block.first + l;
+      state_.density[i] = density[l];
+      state_.volume[i] = state_.scales.mass / density[l];
+      state_.pressure[i] = state_.scales.pressure(density[l]);
+      if (state_.scaling) (*state_.scaling)[i] = scaling[l];
+      for (int a = 0; a < D; ++a) {
+        state_.acceleration[i][a] = acceleration[a][l];
+        if constexpr (present<Transport>) (*state_.shift)[i][a] = dv[a][l];
+        if (!state_.correction) continue;
+        for (int c = 0; c < D; ++c) (*state_.correction)[i](a, c) = B.at[a][c][l];
+      }
     }
   }
 
@@ -127,7 +142,6 @@ class DensitySweep {
   const Diffusion& diffusion_;
   const Transport& transport_;
   double dt_, next_dt_;
-  std::array<Axis, D> axes_ = state_.rows.axes();
 };
 
 }  // namespace
@@ -135,12 +149,12 @@ class DensitySweep {
 template <int D>
 void sweep_density(State<D>& state, const sph::AnyKernel<D>& any_kernel, const Effects<D>& effects, double dt,
                    double next_dt) {
-  const auto& fluid = state.rows.fluid();
+  const std::size_t blocks = state.rows.blocks.size();
   std::visit(
       [&](const auto& kernel, const auto& density, const auto& diffusion, const auto& transport) {
         DensitySweep sweep(state, kernel, density, diffusion, transport, dt, next_dt);
-#pragma omp parallel for schedule(static) if (worth_threads(fluid.size()))
-        for (std::size_t n = 0; n < fluid.size(); ++n) sweep.particle(fluid[n]);
+#pragma omp parallel for schedule(static) if (worth_threads(lanes * blocks))
+        for (std::size_t b = 0; b < blocks; ++b) sweep.block(b);
       },
       any_kernel, effects.density, effects.density_diffusion, effects.transport_velocity);
 }

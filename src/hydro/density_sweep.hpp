@@ -1,15 +1,15 @@
 #pragma once
-// The first sweep over pairs: kernel values into the rows, second moments, corrected velocity gradient, rate of
-// density, and what the slots of this sweep (density diffusion, transport velocity) add.
+// The first sweep over pairs: who is near, second moments, corrected velocity gradient, rate of density, and what the
+// slots of this sweep (density diffusion, transport velocity) add.
 #include "hydro/effects/list.hpp"
 #include "hydro/state.hpp"
 #include "sph/kernel.hpp"
 
 namespace shmoo::hydro {
 
-// Writes rows.weight of fluid rows, next_density after `dt` [s] (of fluid; 0: as it is), acceleration (the part that
-// the transport velocity causes), and the columns scaling, correction and shift where they exist. `next_dt` [s] is the
-// step in which the shift will act.
+// Reads the slots' velocity, volume and density. Of fluid particles it writes density after `dt` [s] (0: as it is),
+// volume, pressure, acceleration (the part that the transport velocity causes), the columns scaling, correction and
+// shift where they exist, and the blocks' lists of who is near. `next_dt` [s] is the step in which the shift will act.
 template <int D>
 void sweep_density(State<D>& state, const sph::AnyKernel<D>& kernel, const Effects<D>& effects, double dt,
                    double next_dt);

@@ -52,12 +52,14 @@ double Fluid<D>::density_error() const {
 template <int D>
 double Fluid<D>::smallest_distance() const {
   double smallest = std::numeric_limits<double>::infinity();
-  const auto& rows = state_.rows;
-  for (const std::uint32_t i : rows.fluid()) {
-    for (std::uint64_t p = rows.first(i); p < rows.first(i) + rows.count(i); ++p) {
-      const auto j = std::size_t(rows.partner()[p]);
-      if (state_.particles.role[j] == sph::Role::fluid)
-        smallest = std::min(smallest, state_.separation(i, j).squaredNorm());
+  const auto& blocks = state_.rows.blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Block& block = blocks[b];
+    for (std::uint32_t k = 0; k < block.partners; ++k) {
+      const std::size_t j = blocks.particle(std::size_t(blocks.partners(block)[k]));
+      for (std::size_t i = block.first; j < blocks.fluid() && i < block.first + block.size; ++i) {
+        if (i != j) smallest = std::min(smallest, state_.separation(i, j).squaredNorm());
+      }
     }
   }
   return std::sqrt(smallest) / state_.scales.spacing;

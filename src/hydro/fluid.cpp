@@ -109,7 +109,7 @@ void Fluid<D>::step(double dt) {
   walls_.carry(state_, time_, dt);
   time_ += dt;
   ++steps_;
-  if (state_.rows.outdated(state_.particles.position.values())) state_.rows.build(state_.particles);
+  state_.rows.follow(state_.particles);
   evaluate(dt);
   kick(dt, root);
   if (effects_.bounce_back) bounces_ += effects_.bounce_back->apply(state_, kernel_);
@@ -120,10 +120,11 @@ template <int D>
 void Fluid<D>::evaluate(double dt) {
   const double next = dt > 0.0 ? dt : dt_;
   walls_.extrapolate_velocity(state_, kernel_);
+  fill_slots();
   sweep_density(state_, kernel_, effects_, dt, next);
-  update_density();
   walls_.extrapolate_pressure(state_, time_);
-  draws_ += sweep_forces(state_, effects_, evaluations_++);
+  fill_stress();
+  draws_ += sweep_forces(state_, kernel_, effects_, evaluations_++);
   const BodyView<D> view{state_.particles.position.values(), state_.velocity.values(), state_.acceleration.values(),
                          next};
   const std::span<const std::uint32_t> fluid = state_.rows.fluid();
@@ -136,15 +137,37 @@ void Fluid<D>::evaluate(double dt) {
 }
 
 template <int D>
-void Fluid<D>::update_density() {
-  const auto& fluid = state_.rows.fluid();
-#pragma omp parallel for schedule(static) if (worth_threads(fluid.size() / 4))
-  for (std::size_t n = 0; n < fluid.size(); ++n) {
-    const std::size_t i = fluid[n];
-    state_.density[i] = state_.next_density[i];
-    state_.volume[i] = state_.scales.mass / state_.density[i];
-    state_.pressure[i] = state_.scales.pressure(state_.density[i]);
-  }
+void Fluid<D>::fill_slots() {
+  auto& slots = state_.slots;
+  const std::size_t size = state_.rows.blocks.slots();
+  const bool diffuses = is_present(effects_.density_diffusion);
+  for (auto& axis : slots.velocity) axis.resize(size);
+  slots.volume.resize(size);
+  if (diffuses) slots.density.resize(size);
+  state_.rows.blocks.for_slots([&](std::size_t s, std::size_t i) {
+    for (int a = 0; a < D; ++a) slots.velocity[std::size_t(a)][s] = state_.velocity[i][a];
+    slots.volume[s] = state_.volume[i];
+    if (diffuses) slots.density[s] = state_.density[i];
+  });
+}
+
+template <int D>
+void Fluid<D>::fill_stress() {
+  auto& slots = state_.slots;
+  const std::size_t size = state_.rows.blocks.slots();
+  slots.stress.resize(size);
+  if (state_.scaling) slots.scaling.resize(size);
+  if (state_.noise) slots.id.resize(size);
+  std::visit(
+      [&](const auto& pressure) {
+        state_.rows.blocks.for_slots([&](std::size_t s, std::size_t i) {
+          slots.volume[s] = state_.volume[i];
+          slots.stress[s] = pressure.stress(state_.pressure[i], state_.volume[i]);
+          if (state_.scaling) slots.scaling[s] = (*state_.scaling)[i];
+          if (state_.noise) slots.id[s] = state_.particles.id[i];
+        });
+      },
+      effects_.pressure);
 }
 
 // Half a step of acceleration. The noise of an evaluation acts in two halves, one before and one after the velocity is

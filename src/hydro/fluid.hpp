@@ -76,7 +76,8 @@ class Fluid {
   void evaluate(double dt);
   void kick(double dt, double root);
   void drift(double dt);
-  void update_density();
+  void fill_slots();   // for the first sweep
+  void fill_stress();  // and for the second
   void check() const;
 
   Effects<D> effects_;

@@ -1,111 +1,149 @@
 #include "hydro/force_sweep.hpp"
 
+#include <optional>
+
 namespace shmoo::hydro {
 namespace {
 
-template <int D, class Pressure, class Friction, class Noise>
+template <int D, class Kernel, class Pressure, class Friction, class Noise>
 class ForceSweep {
  public:
   static constexpr bool scaled = present<Friction> || present<Noise>;
+  using Ids = base::LaneRandom::Words;
 
-  ForceSweep(State<D>& state, const Friction& friction, const Noise& noise, std::uint64_t step)
-      : state_(state), friction_(friction), noise_(noise), step_(step) {}
+  ForceSweep(State<D>& state, const Kernel& kernel, const Friction& friction, const Noise& noise, std::uint64_t step)
+      : state_(state), kernel_(kernel), friction_(friction), noise_(noise) {
+    if constexpr (present<Noise>) random_ = noise.at(step);
+  }
 
-  // Returns the random numbers drawn for pairs in which this particle has the smaller id.
-  std::uint64_t particle(std::size_t i) {
-    Lane pressure[D] = {}, friction[D] = {};
-    double impulse[D] = {};
-    std::uint64_t draws = 0;
-    for (std::uint64_t p = state_.rows.first(i); p < state_.rows.first(i + 1); p += lanes) {
+  // Returns the random numbers drawn for pairs in which a particle of this block has the smaller id.
+  std::uint64_t block(std::size_t b) {
+    const auto& blocks = state_.rows.blocks;
+    const std::int32_t* near = blocks.near(blocks[b]);
+    const Own own = load_own(b);
+    Sums sums{};
+    for (std::uint32_t k = 0; k < blocks[b].near; ++k) {
+      const auto slot = std::size_t(near[k]);
       ForcePair<D> pair;
-      load(i, p, pair);
-      Lane coefficient;
-      Pressure::coefficient(pair, coefficient);
-      for (int a = 0; a < D; ++a) pressure[a] += coefficient * pair.x[a];
-      if constexpr (present<Friction>) friction_.add(pair, friction);
-      if constexpr (present<Noise>) draws += shake(i, p, pair, impulse);
+      load_pair(own, slot, pair);
+      Lane radial = Pressure::coefficient(pair), relative{};
+      if constexpr (Pressure::corrected) {
+        for (int a = 0; a < D; ++a) sums.pressure[a] = fma(radial, pair.x[a], sums.pressure[a]);
+        radial = Lane{};
+      }
+      if constexpr (present<Friction>) friction_.add(pair, radial, relative);
+      for (int a = 0; a < D; ++a) {
+        if constexpr (present<Friction> || !Pressure::corrected) sums.force[a] = fma(radial, pair.x[a], sums.force[a]);
+        if constexpr (present<Friction>) sums.force[a] = fma(relative, pair.v[a], sums.force[a]);
+      }
+      if constexpr (present<Noise>) shake(own, slot, pair, sums);
     }
-    finish(i, pressure, friction, impulse);
-    return draws;
+    return finish(blocks[b], sums);
   }
 
  private:
-  void load(std::size_t i, std::uint64_t p, ForcePair<D>& pair) const {
-    const double* x = state_.particles.position[0].data();
-    const double* v = state_.velocity[0].data();
-    const std::int32_t* partner = state_.rows.partner() + p;
-    pair.r2 = Lane{};
+  struct Own {
+    Lane x[D], v[D], volume, stress, scaling;
+    Ids id;
+  };
+  struct Sums {
+    Lane force[D], pressure[D], impulse[D];
+    Ids draws;
+  };
+
+  Own load_own(std::size_t b) const {
+    const auto& slots = state_.slots;
+    const std::size_t first = lanes * b;
+    Own own;
     for (int a = 0; a < D; ++a) {
-      gather(pair.x[a], x, partner, D, a);
-      pair.x[a] = x[D * i + std::size_t(a)] - pair.x[a];
-      axes_[std::size_t(a)].to_nearest(pair.x[a]);
-      pair.r2 += pair.x[a] * pair.x[a];
-      gather(pair.v[a], v, partner, D, a);
-      pair.v[a] = v[D * i + std::size_t(a)] - pair.v[a];
+      own.x[a] = load(coordinate(a) + first);
+      own.v[a] = slots.own_velocity(b, a);
     }
-    __builtin_memcpy(&pair.F, state_.rows.weight.data() + p, sizeof(pair.F));
-    pair.V_i = state_.volume[i];
-    gather(pair.V_j, state_.volume.values().data(), partner);
-    pair.p_i = state_.pressure[i];
-    gather(pair.p_j, state_.pressure.values().data(), partner);
-    if constexpr (scaled) {
-      const double* s = state_.scaling->values().data();
-      gather(pair.s, s, partner);
-      pair.s = 0.5 * (s[i] + pair.s);
+    own.volume = load(slots.volume.data() + first);
+    own.stress = load(slots.stress.data() + first);
+    if constexpr (scaled) own.scaling = load(slots.scaling.data() + first);
+    if constexpr (present<Noise>) {
+      for (std::size_t l = 0; l < lanes; ++l) own.id[l] = slots.id[first + l];
     }
+    return own;
   }
 
-  // The noise of the pairs in slots p .. p + lanes - 1.
-  std::uint64_t shake(std::size_t i, std::uint64_t p, const ForcePair<D>& pair, double (&impulse)[D]) const {
+  void load_pair(const Own& own, std::size_t slot, ForcePair<D>& pair) const {
+    const auto& slots = state_.slots;
+    pair.r2 = same(tiny);
+    for (int a = 0; a < D; ++a) {
+      pair.x[a] = own.x[a] - coordinate(a)[slot];
+      pair.r2 = fma(pair.x[a], pair.x[a], pair.r2);
+      if constexpr (present<Friction>) pair.v[a] = own.v[a] - slots.velocity[std::size_t(a)][slot];
+    }
+    pair.inverse_r = inverse_root(pair.r2);
+    pair.F = kernel_.F(Lane(pair.r2 * pair.inverse_r));
+    pair.V_i = own.volume;
+    pair.V_j = slots.volume[slot];
+    pair.stress_i = own.stress;
+    pair.stress_j = slots.stress[slot];
+    if constexpr (scaled) pair.s = 0.5 * (own.scaling + slots.scaling[slot]);
+  }
+
+  void shake(const Own& own, std::size_t slot, const ForcePair<D>& pair, Sums& sums) const {
+    const std::uint32_t id = state_.slots.id[slot];
+    noise_.add(pair, *random_, own.id, id, sums.impulse);
+    sums.draws += Ids((pair.F > 0.0) & (own.id < id)) & (Ids{} + std::uint64_t(D));
+  }
+
+  std::uint64_t finish(const Block& block, const Sums& sums) {
     std::uint64_t draws = 0;
-    const std::uint32_t id_i = state_.particles.id[i];
-    for (int l = 0; l < lanes; ++l) {
-      const auto j = std::size_t(state_.rows.partner()[p + std::uint64_t(l)]);
-      if (j == i || !(pair.F[l] > 0.0)) continue;
-      const std::uint32_t id_j = state_.particles.id[j];
-      noise_.add(pair, l, step_, id_i, id_j, impulse);
-      draws += id_i < id_j ? D : 0;
+    const double mass = state_.scales.mass;
+    for (std::uint32_t l = 0; l < block.size; ++l) {
+      const std::size_t i = block.first + l;
+      base::Vec<D> force, pressure;
+      for (int a = 0; a < D; ++a) {
+        force[a] = sums.force[a][l];
+        pressure[a] = sums.pressure[a][l];
+        if constexpr (present<Noise>) (*state_.noise)[i][a] = sums.impulse[a][l] / mass;
+      }
+      if constexpr (Pressure::corrected) force += (*state_.correction)[i] * pressure;
+      state_.acceleration[i] += force / mass;
+      draws += sums.draws[l];
     }
     return draws;
   }
 
-  void finish(std::size_t i, const Lane (&pressure)[D], const Lane (&friction)[D], const double (&impulse)[D]) {
-    base::Vec<D> from_pressure, from_friction;
-    for (int a = 0; a < D; ++a) {
-      from_pressure[a] = total(pressure[a]);
-      from_friction[a] = total(friction[a]);
-    }
-    if constexpr (Pressure::corrected) from_pressure = ((*state_.correction)[i] * from_pressure).eval();
-    state_.acceleration[i] += (from_pressure + from_friction) / state_.scales.mass;
-    if constexpr (present<Noise>) {
-      for (int a = 0; a < D; ++a) (*state_.noise)[i][a] = impulse[a] / state_.scales.mass;
-    }
-  }
+  const double* coordinate(int axis) const { return state_.rows.blocks.coordinate[std::size_t(axis)].data(); }
 
   State<D>& state_;
-  const Friction& friction_;
+  const Kernel& kernel_;
+  Friction friction_;
   const Noise& noise_;
-  std::uint64_t step_;
-  std::array<Axis, D> axes_ = state_.rows.axes();
+  std::optional<base::LaneRandom> random_;
 };
 
 }  // namespace
 
 template <int D>
-std::uint64_t sweep_forces(State<D>& state, const Effects<D>& effects, std::uint64_t step) {
-  const auto& fluid = state.rows.fluid();
+std::uint64_t sweep_forces(State<D>& state, const sph::AnyKernel<D>& any_kernel, const Effects<D>& effects,
+                           std::uint64_t step) {
+  const std::size_t blocks = state.rows.blocks.size();
   std::uint64_t draws = 0;
+  const auto run = [&]<class Sweep>(Sweep&& sweep) {
+#pragma omp parallel for schedule(static) reduction(+ : draws) if (worth_threads(lanes * blocks))
+    for (std::size_t b = 0; b < blocks; ++b) draws += sweep.block(b);
+  };
   std::visit(
-      [&]<class Pressure, class Friction, class Noise>(const Pressure&, const Friction& friction, const Noise& noise) {
-        ForceSweep<D, Pressure, Friction, Noise> sweep(state, friction, noise, step);
-#pragma omp parallel for schedule(static) reduction(+ : draws) if (worth_threads(fluid.size()))
-        for (std::size_t n = 0; n < fluid.size(); ++n) draws += sweep.particle(fluid[n]);
+      [&]<class Kernel, class Pressure, class Friction, class Noise>(const Kernel& kernel, const Pressure&,
+                                                                     const Friction& friction, const Noise& noise) {
+        if constexpr (present<Friction> && !present<Noise>) {
+          using Across = ViscosityAcross<D>;
+          if (friction.beta == 0.0)
+            return run(ForceSweep<D, Kernel, Pressure, Across, Noise>(state, kernel, {friction.alpha}, noise, step));
+        }
+        run(ForceSweep<D, Kernel, Pressure, Friction, Noise>(state, kernel, friction, noise, step));
       },
-      effects.pressure, effects.viscosity, effects.thermal_noise);
+      any_kernel, effects.pressure, effects.viscosity, effects.thermal_noise);
   return draws;
 }
 
-template std::uint64_t sweep_forces(State<2>&, const Effects<2>&, std::uint64_t);
-template std::uint64_t sweep_forces(State<3>&, const Effects<3>&, std::uint64_t);
+template std::uint64_t sweep_forces(State<2>&, const sph::AnyKernel<2>&, const Effects<2>&, std::uint64_t);
+template std::uint64_t sweep_forces(State<3>&, const sph::AnyKernel<3>&, const Effects<3>&, std::uint64_t);
 
 }  // namespace shmoo::hydro

@@ -1,28 +1,87 @@
 #pragma once
-// Pairs are worked on eight at a time, and sums over neighbours are kept in eight lanes, in this order on every
-// machine: the compiler may use vector registers of any width, or none, and the bits stay the same whichever effects
-// share the loop.
+// Eight particles side by side: arithmetic on them in one go, in vector registers of any width or none. On one
+// instruction set the bits are the same whichever effects share a loop and however many threads run.
+#include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
+
+#if defined(__AVX512F__) || defined(__FMA__)
+#include <immintrin.h>
+#endif
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // no vector crosses the border of a library
 
 namespace shmoo::hydro {
 
 // Whether so many particles are enough work in a pair sweep to start threads for. The bits do not depend on it.
 inline bool worth_threads(std::size_t particles) { return particles >= 3000; }
 
-inline constexpr int lanes = 8;  // neighbour rows are padded to a multiple of this
+inline constexpr int lanes = 8;
 
 // Element-wise arithmetic, comparison and choice (`mask ? a : b`), as GCC and Clang define them for vector types.
 using Lane = double __attribute__((vector_size(lanes * sizeof(double))));
 
-inline double total(const Lane& sum) {
-  return ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7]));
+inline constexpr double tiny = 1e-300;  // [m^2] added to r^2, so that a particle can meet itself
+
+using LaneArray = std::vector<double, Eigen::aligned_allocator<double>>;
+
+inline Lane load(const double* values) {
+  Lane lane;
+  __builtin_memcpy(&lane, values, sizeof(lane));
+  return lane;
 }
 
-// values[stride j + offset] for the eight partners j.
-inline void gather(Lane& result, const double* values, const std::int32_t* partner, int stride = 1, int offset = 0) {
-  const auto at = [&](int l) { return values[std::int64_t(stride) * partner[l] + offset]; };
-  result = Lane{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+inline void store(const Lane& lane, double* values) { __builtin_memcpy(values, &lane, sizeof(lane)); }
+
+inline Lane same(double value) { return Lane{} + value; }
+
+// a b + c, rounded once where the processor can.
+inline Lane fma(const Lane& a, const Lane& b, const Lane& c) {
+#if defined(__AVX512F__)
+  return Lane(_mm512_fmadd_pd(__m512d(a), __m512d(b), __m512d(c)));
+#elif defined(__FMA__)
+  Lane result;
+  for (int l = 0; l < lanes; ++l) result[l] = __builtin_fma(a[l], b[l], c[l]);
+  return result;
+#else
+  return a * b + c;
+#endif
+}
+
+// c - a b, likewise.
+inline Lane less_product(const Lane& c, const Lane& a, const Lane& b) {
+#if defined(__AVX512F__)
+  return Lane(_mm512_fnmadd_pd(__m512d(a), __m512d(b), __m512d(c)));
+#else
+  return fma(-a, b, c);
+#endif
+}
+
+inline Lane larger(const Lane& a, const Lane& b) { return a > b ? a : b; }
+
+inline bool any_below(const Lane& a, double limit) {
+#if defined(__AVX512F__)
+  return _mm512_cmp_pd_mask(__m512d(a), _mm512_set1_pd(limit), _CMP_LT_OQ) != 0;
+#else
+  bool any = false;
+  for (int l = 0; l < lanes; ++l) any |= a[l] < limit;
+  return any;
+#endif
+}
+
+// 1/sqrt(a), a > 0, to the last bit or two: an estimate good to 2^-14, and four terms of the series of (1 - e)^(-1/2).
+inline Lane inverse_root(const Lane& a) {
+#if defined(__AVX512F__)
+  const Lane y = Lane(_mm512_maskz_rsqrt14_pd(0xFF, __m512d(a)));
+  const Lane e = less_product(same(1.0), a * y, y);
+  return fma(y * e, fma(e, fma(e, same(0.3125), same(0.375)), same(0.5)), y);
+#else
+  Lane result;
+  for (int l = 0; l < lanes; ++l) result[l] = 1.0 / std::sqrt(a[l]);
+  return result;
+#endif
 }
 
 // Separations along one axis of the box, the shortest image where the axis is periodic; antisymmetric to the bit.
@@ -33,10 +92,6 @@ struct Axis {
   double nearest(double d) const {
     d = d > half ? d - length : d;
     return d < -half ? d + length : d;
-  }
-  void to_nearest(Lane& d) const {
-    d = d > half ? d - length : d;
-    d = d < -half ? d + length : d;
   }
 };
 

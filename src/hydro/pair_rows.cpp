@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace shmoo::hydro {
 namespace {
 
-constexpr std::size_t chunk_size = 512;  // particles; fixed, so that nothing depends on the number of threads
+constexpr std::size_t rows_per_chunk = 256;  // fixed, so that nothing depends on the number of threads
 
 }  // namespace
 
 template <int D>
-PairRows<D>::PairRows(const base::Box<D>& box, double reach, double skin) : box_(box), reach_(reach), skin_(skin) {
+PairRows<D>::PairRows(const base::Box<D>& box, double reach, double skin, double spacing)
+    : blocks(box, reach + skin, spacing), box_(box), reach_(reach), skin_(skin) {
   for (int a = 0; a < D; ++a) {
     axes_[a].length = box.upper[a] - box.lower[a];
     axes_[a].half = box.periodic[a] ? 0.5 * axes_[a].length : std::numeric_limits<double>::infinity();
@@ -20,98 +22,75 @@ PairRows<D>::PairRows(const base::Box<D>& box, double reach, double skin) : box_
 
 template <int D>
 void PairRows<D>::build(sph::Particles<D>& particles) {
-  const std::size_t n = particles.size();
-  cells_.build(particles.position.values(), box_, cutoff());
-  particles.permute(cells_.order());
-  const std::size_t chunks = (n + chunk_size - 1) / chunk_size;
-  chunks_.resize(chunks);
-  count_.resize(n);
-  first_.resize(n + 1);
-#pragma omp parallel for schedule(dynamic) if (worth_threads(n))
-  for (std::size_t c = 0; c < chunks; ++c) list_chunk(particles, c);
-  first_[0] = 0;
-  for (std::size_t i = 0; i < n; ++i) first_[i + 1] = first_[i] + (count_[i] + lanes - 1) / lanes * lanes;
-  partner_.resize(first_[n]);
-  weight.resize(first_[n]);
-#pragma omp parallel for schedule(static) if (worth_threads(n))
-  for (std::size_t c = 0; c < chunks; ++c) {
-    std::copy(chunks_[c].partner.begin(), chunks_[c].partner.end(),
-              partner_.begin() + std::ptrdiff_t(first_[c * chunk_size]));
-  }
-  built_at_ = particles.position.values();
-  classify(particles);
+  blocks.build(particles);
+  fluid_.resize(blocks.fluid());
+  std::iota(fluid_.begin(), fluid_.end(), 0U);
+  list_rows(particles);
   ++builds_;
 }
 
 template <int D>
-void PairRows<D>::list_chunk(const sph::Particles<D>& particles, std::size_t chunk) {
-  const auto& x = particles.position.values();
-  const auto& role = particles.role.values();
-  const double limit = cutoff() * cutoff();
-  auto& out = chunks_[chunk].partner;
-  out.clear();
-  std::array<std::size_t, 27> around;
-  const std::size_t end = std::min((chunk + 1) * chunk_size, x.size());
-  for (std::size_t i = chunk * chunk_size; i < end; ++i) {
-    const std::size_t begin = out.size();
-    const bool flows = role[i] == sph::Role::fluid;
-    const std::size_t cells = cells_.around(cells_.cell_of(x[i]), around);
-    for (std::size_t c = 0; c < cells; ++c) {
-      const auto members = cells_.members(around[c]);
-      // Sorted: the members of a cell are now consecutive particles.
-      const auto start = std::size_t(members.data() - cells_.order().data());
-      std::size_t next = out.size();
-      out.resize(next + members.size());
-      for (std::size_t j = start; j < start + members.size(); ++j) {
-        double r2 = 0.0;
-        for (int a = 0; a < D; ++a) {
-          const double d = axes_[a].nearest(x[i][a] - x[j][a]);
-          r2 += d * d;
-        }
-        out[next] = static_cast<std::int32_t>(j);
-        next += (r2 < limit) & (j != i) & (flows | (role[j] == sph::Role::fluid));
-      }
-      out.resize(next);
-    }
-    count_[i] = static_cast<std::uint32_t>(out.size() - begin);
-    while ((out.size() - begin) % lanes != 0) out.push_back(static_cast<std::int32_t>(i));
-  }
+void PairRows<D>::follow(sph::Particles<D>& particles) {
+  const double way2 = blocks.follow(particles.position.values());
+  if (!(way2 < 0.25 * skin_ * skin_)) build(particles);
 }
 
+// Of solids, and of the blocks that have some about.
 template <int D>
-void PairRows<D>::classify(const sph::Particles<D>& particles) {
-  fluid_.clear();
+void PairRows<D>::list_rows(const sph::Particles<D>& particles) {
+  const std::size_t n = particles.size();
+  std::vector<std::uint32_t> wanted;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (!blocks[b].at_wall) continue;
+    for (std::uint32_t l = 0; l < blocks[b].size; ++l) wanted.push_back(blocks[b].first + l);
+  }
+  for (std::size_t i = blocks.fluid(); i < n; ++i) wanted.push_back(std::uint32_t(i));
+  first_.assign(n + 1, 0);
+  chunks_.resize((wanted.size() + rows_per_chunk - 1) / rows_per_chunk);
+#pragma omp parallel for schedule(dynamic) if (worth_threads(4 * wanted.size()))
+  for (std::size_t c = 0; c < chunks_.size(); ++c) {
+    auto& row = chunks_[c].partner;
+    row.clear();
+    for (std::size_t k = c * rows_per_chunk; k < std::min((c + 1) * rows_per_chunk, wanted.size()); ++k) {
+      const std::size_t before = row.size();
+      list_row(particles, wanted[k], row);
+      first_[wanted[k] + 1] = row.size() - before;
+    }
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  partner_.resize(first_[n]);
+  weight.resize(first_[n]);
+  auto next = partner_.begin();
+  for (const Chunk& chunk : chunks_) next = std::copy(chunk.partner.begin(), chunk.partner.end(), next);
   solid_.clear();
   near_wall_.clear();
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const auto index = static_cast<std::uint32_t>(i);
-    if (particles.role[i] != sph::Role::fluid) {
-      if (count_[i] > 0) solid_.push_back(index);
-      continue;
-    }
-    fluid_.push_back(index);
-    const auto is_solid = [&](std::int32_t j) { return particles.role[std::size_t(j)] != sph::Role::fluid; };
-    const auto* row = partner_.data() + first_[i];
-    if (std::any_of(row, row + count_[i], is_solid)) near_wall_.push_back(index);
+  for (const std::uint32_t i : wanted) {
+    if (count(i) > 0) (i < blocks.fluid() ? near_wall_ : solid_).push_back(i);
   }
 }
 
+// Appends the partners of particle i, if i is solid or any of them is.
 template <int D>
-bool PairRows<D>::outdated(const std::vector<Vec>& position) const {
-  const double limit = 0.25 * skin_ * skin_;
-  bool moved = false;
-#pragma omp parallel for schedule(static) reduction(|| : moved) if (worth_threads(position.size() / 4))
-  for (std::size_t i = 0; i < position.size(); ++i) {
-    moved = moved || !(box_.nearest(position[i] - built_at_[i]).squaredNorm() < limit);
-  }
-  return moved;
+void PairRows<D>::list_row(const sph::Particles<D>& particles, std::size_t i, std::vector<std::int32_t>& row) const {
+  const auto& x = particles.position.values();
+  const double limit = cutoff() * cutoff();
+  const bool flows = i < blocks.fluid();
+  const std::size_t before = row.size();
+  bool met_solid = !flows;
+  blocks.visit_around(i, [&](std::size_t j) {
+    if (j == i || (!flows && j >= blocks.fluid())) return;
+    if (!(box_.nearest(x[i] - x[j]).squaredNorm() < limit)) return;
+    row.push_back(std::int32_t(j));
+    met_solid = met_solid || j >= blocks.fluid();
+  });
+  if (!met_solid) row.resize(before);
+  std::sort(row.begin() + std::ptrdiff_t(before), row.end());
+  row.erase(std::unique(row.begin() + std::ptrdiff_t(before), row.end()), row.end());
 }
 
 template <int D>
-std::uint64_t PairRows<D>::pairs() const {
-  std::uint64_t sum = 0;
-  for (const std::uint32_t count : count_) sum += count;
-  return sum;
+std::size_t PairRows<D>::bytes() const {
+  return blocks.bytes() + partner_.size() * (sizeof(std::int32_t) + sizeof(double));
 }
 
 template class PairRows<2>;

@@ -1,14 +1,14 @@
 #pragma once
-// The flow's neighbour rows. Particles are first sorted by cell, so that partners lie close in memory; rows hold all
-// pairs within the kernel's reach plus a skin and stay valid until a particle has moved half the skin. Rows are padded
-// with the particle itself, which contributes exactly nothing to any sum over differences.
+// Who is near whom. Fluid particles meet their neighbours in blocks; where walls are about there are rows as well: of
+// every solid particle with the fluid near it, and of every fluid particle near a solid with all its neighbours. Both
+// hold all pairs within the kernel's reach plus a skin and stay valid until a particle has moved half the skin.
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/box.hpp"
+#include "hydro/blocks.hpp"
 #include "hydro/lanes.hpp"
-#include "sph/cells.hpp"
 #include "sph/particles.hpp"
 
 namespace shmoo::hydro {
@@ -18,24 +18,26 @@ class PairRows {
  public:
   using Vec = base::Vec<D>;
 
-  PairRows(const base::Box<D>& box, double reach, double skin);
+  // `spacing` [m] is how far apart particles stand, about.
+  PairRows(const base::Box<D>& box, double reach, double skin, double spacing);
 
-  // Sorts the particles and lists their pairs: a fluid particle's with all others, a solid particle's with fluid only.
+  // Sorts the particles, fluid first, and lists their pairs.
   void build(sph::Particles<D>& particles);
-  // True where some particle has moved so far since build() that a pair may be missing.
-  bool outdated(const std::vector<Vec>& position) const;
+  // Takes the positions into the blocks, and builds anew where a pair may be missing.
+  void follow(sph::Particles<D>& particles);
 
-  std::uint64_t first(std::size_t i) const { return first_[i]; }  // first .. first(i + 1): a multiple of `lanes`
-  std::uint32_t count(std::size_t i) const { return count_[i]; }  // without the padding
+  Blocks<D> blocks;
+
+  // The row of particle i: first(i) .. first(i) + count(i) - 1 of partner(); empty far from walls.
+  std::uint64_t first(std::size_t i) const { return first_[i]; }
+  std::uint32_t count(std::size_t i) const { return std::uint32_t(first_[i + 1] - first_[i]); }
   const std::int32_t* partner() const { return partner_.data(); }
-  std::uint64_t pairs() const;  // directed, without the padding
-  std::size_t slots() const { return partner_.size(); }
+  std::vector<double> weight;  // [1/m^D] W_ij in rows of solids: one number for each entry of partner()
+
   double cutoff() const { return reach_ + skin_; }  // [m]
   const std::array<Axis, D>& axes() const { return axes_; }
   std::uint64_t builds() const { return builds_; }
-
-  // One number for each slot of the rows: F_ij [1/m^(D+2)] in rows of fluid, W_ij [1/m^D] in rows of solids.
-  std::vector<double> weight;
+  std::size_t bytes() const;
 
   const std::vector<std::uint32_t>& fluid() const { return fluid_; }          // particles that flow, ascending
   const std::vector<std::uint32_t>& solid() const { return solid_; }          // solid particles with fluid about
@@ -45,18 +47,15 @@ class PairRows {
   struct Chunk {
     std::vector<std::int32_t> partner;
   };
-  void list_chunk(const sph::Particles<D>& particles, std::size_t chunk);
-  void classify(const sph::Particles<D>& particles);
+  void list_rows(const sph::Particles<D>& particles);
+  void list_row(const sph::Particles<D>& particles, std::size_t i, std::vector<std::int32_t>& row) const;
 
   base::Box<D> box_;
   double reach_, skin_;
   std::array<Axis, D> axes_;
-  sph::Cells<D> cells_;
-  std::vector<Vec> built_at_;
-  std::vector<Chunk> chunks_;
   std::vector<std::uint64_t> first_;
-  std::vector<std::uint32_t> count_;
   std::vector<std::int32_t> partner_;
+  std::vector<Chunk> chunks_;
   std::vector<std::uint32_t> fluid_, solid_, near_wall_;
   std::uint64_t builds_ = 0;
 };

@@ -6,6 +6,7 @@
 
 #include "hydro/pair_rows.hpp"
 #include "hydro/scales.hpp"
+#include "hydro/slots.hpp"
 #include "sph/particles.hpp"
 
 namespace shmoo::hydro {
@@ -19,11 +20,10 @@ struct State {
       : particles(std::move(filling.particles)),
         box(filling.box),
         scales(its_scales),
-        rows(box, scales.reach, skin(box, scales)),
+        rows(box, scales.reach, skin(box, scales), scales.spacing),
         velocity(particles.template require<Vec>("velocity", "m/s")),
         acceleration(particles.template require<Vec>("acceleration", "m/s^2")),
         density(particles.template require<double>("density", "kg/m^3")),
-        next_density(particles.template require<double>("next_density", "kg/m^3")),
         pressure(particles.template require<double>("pressure", "Pa")),
         volume(particles.template require<double>("volume", "m^D")) {}
 
@@ -31,11 +31,11 @@ struct State {
   base::Box<D> box;
   Scales<D> scales;
   PairRows<D> rows;
+  Slots<D> slots;
 
   sph::Column<Vec>& velocity;
   sph::Column<Vec>& acceleration;  // of the next half kicks, all effects together
   sph::Column<double>& density;
-  sph::Column<double>& next_density;  // as the first sweep leaves it for the second
   sph::Column<double>& pressure;
   sph::Column<double>& volume;  // m/rho
 

@@ -1,15 +1,28 @@
 #pragma once
 // Smoothing kernels with compact support. W is normalised in D dimensions, W(r) = 0 for r >= reach; F = -W'(r)/r >= 0,
 // so that grad_i W_ij = -F_ij x_ij (x_ij = x_i - x_j). Dividing by r is done in closed form where F is finite at r = 0.
+// Distances are numbers or vectors of numbers; no branch depends on them.
 #include <cmath>
 #include <numbers>
 #include <variant>
 
 #include "scene/scene.hpp"
 
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
 namespace shmoo::sph {
 
 inline constexpr double pi = std::numbers::pi;
+
+template <class Number>
+Number positive(const Number& s) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Number) == sizeof(__m512d)) return Number(_mm512_max_pd(__m512d(s), __m512d{}));
+#endif
+  return s > 0.0 ? s : Number{};
+}
 
 // Lucy 1977, "A numerical approach to the testing of the fission hypothesis", with the normalisation of D dimensions.
 template <int D>
@@ -20,13 +33,15 @@ struct Lucy {
     f_ = 12.0 * w_ * inverse_ * inverse_;
   }
   double reach() const { return reach_; }  // [m]
-  double W(double r) const {               // [1/m^D]
-    const double q = r * inverse_, s = 1.0 - q;
-    return q < 1.0 ? w_ * (1.0 + 3.0 * q) * s * s * s : 0.0;
+  template <class Number>
+  Number W(const Number& r) const {  // [1/m^D]
+    const Number q = r * inverse_, s = positive(Number(1.0 - q));
+    return w_ * (1.0 + 3.0 * q) * s * s * s;
   }
-  double F(double r) const {  // [1/m^(D+2)]
-    const double q = r * inverse_, s = 1.0 - q;
-    return q < 1.0 ? f_ * s * s : 0.0;
+  template <class Number>
+  Number F(const Number& r) const {  // [1/m^(D+2)]
+    const Number s = positive(Number(1.0 - r * inverse_));
+    return f_ * s * s;
   }
 
  private:
@@ -43,13 +58,15 @@ struct WendlandC2 {
     f_ = 20.0 * w_ * inverse_ * inverse_;
   }
   double reach() const { return reach_; }
-  double W(double r) const {
-    const double q = r * inverse_, s = 1.0 - q, s2 = s * s;
-    return q < 1.0 ? w_ * s2 * s2 * (1.0 + 4.0 * q) : 0.0;
+  template <class Number>
+  Number W(const Number& r) const {
+    const Number q = r * inverse_, s = positive(Number(1.0 - q)), s2 = s * s;
+    return w_ * s2 * s2 * (1.0 + 4.0 * q);
   }
-  double F(double r) const {
-    const double q = r * inverse_, s = 1.0 - q;
-    return q < 1.0 ? f_ * s * s * s : 0.0;
+  template <class Number>
+  Number F(const Number& r) const {
+    const Number s = positive(Number(1.0 - r * inverse_));
+    return f_ * s * s * s;
   }
 
  private:
@@ -70,15 +87,17 @@ struct CubicSpline {
     f_ = w_ * inverse_ * inverse_;
   }
   double reach() const { return reach_; }
-  double W(double r) const {
-    const double u = r * inverse_, t = 2.0 - u;
-    if (u < 1.0) return w_ * (1.0 + u * u * (0.75 * u - 1.5));
-    return u < 2.0 ? w_ * 0.25 * t * t * t : 0.0;
+  template <class Number>
+  Number W(const Number& r) const {
+    const Number u = r * inverse_, t = positive(Number(2.0 - u));
+    const Number inner = w_ * (1.0 + u * u * (0.75 * u - 1.5)), outer = w_ * 0.25 * t * t * t;
+    return u < 1.0 ? inner : outer;
   }
-  double F(double r) const {
-    const double u = r * inverse_, t = 2.0 - u;
-    if (u < 1.0) return f_ * (3.0 - 2.25 * u);
-    return u < 2.0 ? f_ * 0.75 * t * t / u : 0.0;
+  template <class Number>
+  Number F(const Number& r) const {
+    const Number u = r * inverse_, t = positive(Number(2.0 - u));
+    const Number inner = f_ * (3.0 - 2.25 * u), outer = f_ * 0.75 * t * t / u;
+    return u < 1.0 ? inner : outer;
   }
 
  private:
@@ -95,19 +114,25 @@ struct QuinticSpline {
     f_ = w_ * inverse_ * inverse_;
   }
   double reach() const { return reach_; }
-  double W(double r) const {
-    const double u = r * inverse_;
-    return w_ * (fifth(3.0 - u) - 6.0 * fifth(2.0 - u) + 15.0 * fifth(1.0 - u));
+  template <class Number>
+  Number W(const Number& r) const {
+    const Number u = r * inverse_;
+    const Number a = positive(Number(3.0 - u)), b = positive(Number(2.0 - u)), c = positive(Number(1.0 - u));
+    return w_ * (fourth(a) * a - 6.0 * fourth(b) * b + 15.0 * fourth(c) * c);
   }
-  double F(double r) const {
-    const double u = r * inverse_;
-    if (u < 1.0) return f_ * (120.0 + u * u * (50.0 * u - 120.0));
-    return u < 3.0 ? f_ * 5.0 * (fourth(3.0 - u) - 6.0 * fourth(2.0 - u)) / u : 0.0;
+  template <class Number>
+  Number F(const Number& r) const {
+    const Number u = r * inverse_, a = positive(Number(3.0 - u)), b = positive(Number(2.0 - u));
+    const Number inner = f_ * (120.0 + u * u * (50.0 * u - 120.0));
+    const Number outer = f_ * 5.0 * (fourth(a) - 6.0 * fourth(b)) / u;
+    return u < 1.0 ? inner : outer;
   }
 
  private:
-  static double fourth(double s) { return s > 0.0 ? (s * s) * (s * s) : 0.0; }
-  static double fifth(double s) { return s > 0.0 ? (s * s) * (s * s) * s : 0.0; }
+  template <class Number>
+  static Number fourth(const Number& s) {
+    return (s * s) * (s * s);
+  }
   double reach_, inverse_, w_, f_;
 };
 

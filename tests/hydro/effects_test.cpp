@@ -62,7 +62,7 @@ TEST(AbsentEffects, LeaveTheBareFlow) {
   const auto fluid = make_fluid<2>(bare_scene());
   EXPECT_EQ(fluid.effects(), (std::vector<std::string>{"symmetric pressure", "density by continuity"}));
   const std::set<std::string> bare{"position", "id",           "material", "role",   "velocity",     "acceleration",
-                                   "density",  "next_density", "pressure", "volume", "wall_velocity"};
+                                   "density", "pressure", "volume", "wall_velocity"};
   EXPECT_EQ(columns(fluid), bare);
   EXPECT_EQ(limits(fluid), std::set<std::string>{"acoustic"});
   EXPECT_EQ(fluid.draws(), 0u);

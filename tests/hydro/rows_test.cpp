@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/random.hpp"
 
 namespace shmoo::hydro {
 namespace {
+
+constexpr double reach = 0.2, skin = 0.03;
 
 template <int D>
 sph::Particles<D> scattered(std::size_t count) {
@@ -23,53 +26,132 @@ sph::Particles<D> scattered(std::size_t count) {
 }
 
 template <int D>
-void holds_every_pair_within_reach(bool periodic) {
+base::Box<D> unit_box(bool periodic) {
   base::Box<D> box;
   box.periodic.fill(periodic);
+  return box;
+}
+
+template <int D>
+std::vector<std::int32_t> partners_of(const sph::Particles<D>& particles, const base::Box<D>& box, std::size_t i,
+                                      double cutoff) {
+  std::vector<std::int32_t> found;
+  const bool flows = particles.role[i] == sph::Role::fluid;
+  for (std::size_t j = 0; j < particles.size(); ++j) {
+    const double r = box.nearest(particles.position[i] - particles.position[j]).norm();
+    if (j != i && r < cutoff && (flows || particles.role[j] == sph::Role::fluid)) found.push_back(std::int32_t(j));
+  }
+  return found;
+}
+
+template <int D>
+void rows_hold_every_pair(bool periodic) {
+  const auto box = unit_box<D>(periodic);
   auto particles = scattered<D>(300);
-  PairRows<D> rows(box, 0.2, 0.03);
+  PairRows<D> rows(box, reach, skin, 0.06);
   rows.build(particles);
-  std::uint64_t pairs = 0;
+  std::size_t at_walls = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    std::vector<std::int32_t> expected;
+    const auto expected = partners_of(particles, box, i, reach + skin);
     const bool flows = particles.role[i] == sph::Role::fluid;
-    for (std::size_t j = 0; j < particles.size(); ++j) {
-      const double r = box.nearest(particles.position[i] - particles.position[j]).norm();
-      if (j != i && r < 0.23 && (flows || particles.role[j] == sph::Role::fluid)) expected.push_back(std::int32_t(j));
+    ASSERT_EQ(flows, i < rows.blocks.fluid());
+    if (flows && std::none_of(expected.begin(), expected.end(),
+                              [&](std::int32_t j) { return particles.role[std::size_t(j)] == sph::Role::wall; })) {
+      ASSERT_EQ(rows.count(i), 0u);
+      continue;
     }
     const auto* row = rows.partner() + rows.first(i);
-    std::vector<std::int32_t> found(row, row + rows.count(i));
-    std::sort(found.begin(), found.end());
-    ASSERT_EQ(found, expected);
-    ASSERT_EQ((rows.first(i + 1) - rows.first(i)) % lanes, 0u);
-    for (std::uint64_t p = rows.first(i) + rows.count(i); p < rows.first(i + 1); ++p) {
-      ASSERT_EQ(rows.partner()[p], std::int32_t(i));
-    }
-    pairs += rows.count(i);
+    ASSERT_EQ(std::vector<std::int32_t>(row, row + rows.count(i)), expected);
+    at_walls += flows && !expected.empty();
   }
-  EXPECT_EQ(rows.pairs(), pairs);
+  EXPECT_EQ(rows.near_wall().size(), at_walls);
+}
+
+// Every pair once, at its distance; the copies that fill a block up aside.
+template <int D>
+void blocks_hold_every_pair(bool periodic) {
+  const auto box = unit_box<D>(periodic);
+  auto particles = scattered<D>(500);
+  PairRows<D> rows(box, reach, skin, 0.06);
+  rows.build(particles);
+  const auto& blocks = rows.blocks;
+  std::size_t seen = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (std::uint32_t l = 0; l < blocks[b].size; ++l, ++seen) {
+      const std::size_t i = blocks[b].first + l;
+      ASSERT_EQ(blocks.particle(lanes * b + l), i);
+      std::vector<std::int32_t> found;
+      for (std::uint32_t k = 0; k < blocks[b].partners; ++k) {
+        const auto slot = std::size_t(blocks.partners(blocks[b])[k]);
+        base::Vec<D> x;
+        for (std::size_t a = 0; a < D; ++a) x[a] = blocks.coordinate[a][lanes * b + l] - blocks.coordinate[a][slot];
+        const std::size_t j = blocks.particle(slot);
+        if (!(x.norm() < reach + skin) || j == i) continue;
+        found.push_back(std::int32_t(j));
+        ASSERT_LT((box.nearest(particles.position[i] - particles.position[j]) - x).norm(), 1e-14);
+      }
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, partners_of(particles, box, i, reach + skin));
+    }
+  }
+  EXPECT_EQ(seen, blocks.fluid());
 }
 
 }  // namespace
 
-TEST(PairRows, HoldEveryPairWithinReach) {
-  holds_every_pair_within_reach<2>(false);
-  holds_every_pair_within_reach<2>(true);
-  holds_every_pair_within_reach<3>(false);
-  holds_every_pair_within_reach<3>(true);
+TEST(PairRows, HoldEveryPairNearWalls) {
+  rows_hold_every_pair<2>(false);
+  rows_hold_every_pair<2>(true);
+  rows_hold_every_pair<3>(false);
+  rows_hold_every_pair<3>(true);
 }
 
-TEST(PairRows, AreOutdatedOnceAParticleMovedHalfTheSkin) {
-  base::Box<2> box;
-  box.periodic = {true, true};
+TEST(Blocks, HoldEveryPairOfFluid) {
+  blocks_hold_every_pair<2>(false);
+  blocks_hold_every_pair<2>(true);
+  blocks_hold_every_pair<3>(false);
+  blocks_hold_every_pair<3>(true);
+}
+
+TEST(PairRows, AreBuiltAnewOnceAParticleMovedHalfTheSkin) {
   auto particles = scattered<2>(50);
-  PairRows<2> rows(box, 0.2, 0.1);
+  PairRows<2> rows(unit_box<2>(true), 0.2, 0.1, 0.14);
   rows.build(particles);
-  EXPECT_FALSE(rows.outdated(particles.position.values()));
+  rows.follow(particles);
+  EXPECT_EQ(rows.builds(), 1u);
   particles.position[7][0] += 0.049;
-  EXPECT_FALSE(rows.outdated(particles.position.values()));
+  rows.follow(particles);
+  EXPECT_EQ(rows.builds(), 1u);
   particles.position[7][0] += 0.002;
-  EXPECT_TRUE(rows.outdated(particles.position.values()));
+  rows.follow(particles);
+  EXPECT_EQ(rows.builds(), 2u);
+}
+
+// Across a periodic side too: the two views of a pair are opposite to the bit.
+TEST(Blocks, SeparationsAreAntisymmetric) {
+  auto particles = scattered<2>(200);
+  PairRows<2> rows(unit_box<2>(true), 0.2, 0.03, 0.07);
+  rows.build(particles);
+  const auto& blocks = rows.blocks;
+  std::map<std::pair<std::size_t, std::size_t>, double> seen;
+  std::size_t both = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (std::uint32_t k = 0; k < blocks[b].partners; ++k) {
+      const auto slot = std::size_t(blocks.partners(blocks[b])[k]);
+      for (std::uint32_t l = 0; l < blocks[b].size; ++l) {
+        const double x = blocks.coordinate[0][lanes * b + l] - blocks.coordinate[0][slot];
+        const double y = blocks.coordinate[1][lanes * b + l] - blocks.coordinate[1][slot];
+        const std::size_t i = blocks[b].first + l, j = blocks.particle(slot);
+        if (!(std::hypot(x, y) < 0.2) || i == j) continue;
+        seen[{i, j}] = x;
+        if (const auto other = seen.find({j, i}); other != seen.end()) {
+          ASSERT_EQ(other->second, -x);
+          ++both;
+        }
+      }
+    }
+  }
+  EXPECT_GT(both, 1000u);
 }
 
 }  // namespace shmoo::hydro

@@ -26,10 +26,10 @@ struct DensityDiffusion {
 
   template <int D>
   static void add(const DensityPair<D>& pair, Lane (&sum)[sums]) {
-    sum[0] += pair.FV * pair.density;
+    sum[0] = fma(pair.FV, pair.density, sum[0]);
   }
 
-  double rate(const Lane (&sum)[sums]) const { return coefficient * total(sum[0]); }  // [kg/(m^3 s)]
+  Lane rate(const Lane (&sum)[sums]) const { return coefficient * sum[0]; }  // [kg/(m^3 s)]
 };
 
 }  // namespace shmoo::hydro

@@ -1,6 +1,6 @@
 #pragma once
-// What a pair effect sees of eight pairs of one particle i, all from its side. Volumes, masses and forces in the
-// per-depth convention.
+// What a pair effect sees of eight pairs of one particle j, from the side of their eight i. Volumes, masses and forces
+// in the per-depth convention.
 #include "hydro/lanes.hpp"
 
 namespace shmoo::hydro {
@@ -17,15 +17,16 @@ struct DensityPair {
 // In the second sweep, where forces act.
 template <int D>
 struct ForcePair {
-  Lane x[D];   // [m] x_i - x_j
-  Lane v[D];   // [m/s] v_i - v_j
-  Lane r2;     // [m^2]
-  Lane F;      // [1/m^(D+2)]
-  double V_i;  // [m^D]
-  Lane V_j;
-  double p_i;  // [Pa]
-  Lane p_j;
-  Lane s;  // (s_i + s_j)/2, second-moment scaling; 1 where no effect asked for it
+  Lane x[D];       // [m] x_i - x_j
+  Lane v[D];       // [m/s] v_i - v_j
+  Lane r2;         // [m^2]
+  Lane inverse_r;  // [1/m]
+  Lane F;          // [1/m^(D+2)]
+  Lane V_i;        // [m^D]
+  double V_j;
+  Lane stress_i;  // as the form of pressure wants it
+  double stress_j;
+  Lane s;  // (s_i + s_j)/2, second-moment scaling, where an effect asked for it
 };
 
 }  // namespace shmoo::hydro

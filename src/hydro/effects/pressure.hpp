@@ -1,5 +1,6 @@
 #pragma once
-// The two forms of the pressure force; one of them always acts. Forces on i, [N/m^(3-D)].
+// The two forms of the pressure force; one of them always acts. The force on i is coefficient * x_ij [N/m^(3-D)], made
+// of what stress() gives of each particle.
 #include "base/vec.hpp"
 #include "hydro/effects/pair.hpp"
 
@@ -9,9 +10,10 @@ namespace shmoo::hydro {
 struct SymmetricPressure {
   static constexpr const char* name = "symmetric pressure";
   static constexpr bool corrected = false;
+  static double stress(double pressure, double volume) { return pressure * volume * volume; }
   template <int D>
-  static void coefficient(const ForcePair<D>& pair, Lane& result) {
-    result = (pair.p_i * pair.V_i * pair.V_i + pair.p_j * pair.V_j * pair.V_j) * pair.F;
+  static Lane coefficient(const ForcePair<D>& pair) {
+    return (pair.stress_i + pair.stress_j) * pair.F;
   }
 };
 
@@ -20,9 +22,10 @@ struct SymmetricPressure {
 struct DifferencePressure {
   static constexpr const char* name = "difference pressure";
   static constexpr bool corrected = true;
+  static double stress(double pressure, double) { return pressure; }
   template <int D>
-  static void coefficient(const ForcePair<D>& pair, Lane& result) {
-    result = (pair.p_j - pair.p_i) * pair.V_i * pair.V_j * pair.F;
+  static Lane coefficient(const ForcePair<D>& pair) {
+    return (pair.stress_j - pair.stress_i) * pair.V_i * pair.V_j * pair.F;
   }
 };
 

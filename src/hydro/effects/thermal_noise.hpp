@@ -8,7 +8,7 @@
 // (e.xi)]. The same xi acts on both partners with opposite sign.
 #include <cmath>
 
-#include "base/random.hpp"
+#include "base/random_lanes.hpp"
 #include "hydro/effects/absent.hpp"
 #include "hydro/effects/pair.hpp"
 #include "hydro/scales.hpp"
@@ -27,6 +27,8 @@ struct ThermalNoise {
          along = 0;  // [(N/m^(3-D)) sqrt(m^2 s)] sqrt(2 kT alpha), sqrt(2 kT (alpha + beta)) - sqrt(2 kT alpha)
   base::RandomKey key;
 
+  using Ids = base::LaneRandom::Words;
+
   static Slot<ThermalNoise> choose(const scene::Scene& scene, const Scales<D>& scales, const base::RandomKey& key) {
     if (!scene.effects.thermal_noise) return Absent{};
     const double alpha = friction_alpha<D>(scales.viscosity, scales.bulk_viscosity);
@@ -40,20 +42,25 @@ struct ThermalNoise {
     list.push_back({name, most_friction / scales.friction, "0.25/gamma, gamma the pair friction rate: kT within 1 %"});
   }
 
-  // Adds the impulse per root of time [N/m^(3-D) sqrt(s)] of the pair in one lane.
-  void add(const ForcePair<D>& pair, int lane, std::uint64_t step, std::uint32_t id_i, std::uint32_t id_j,
-           double (&impulse)[D]) const {
-    const bool first = id_i < id_j;
-    base::RandomSequence random(key, base::Stream::thermal_noise, step, first ? id_i : id_j, first ? id_j : id_i);
-    double xi[D], projected = 0.0;
+  // What the pairs of one evaluation share.
+  base::LaneRandom at(std::uint64_t step) const { return {key, base::Stream::thermal_noise, step}; }
+
+  // Adds the impulse per root of time [N/m^(3-D) sqrt(s)] of eight pairs; none where both ids are the same.
+  void add(const ForcePair<D>& pair, const base::LaneRandom& random, const Ids& id_i, std::uint32_t id_j,
+           Lane (&impulse)[D]) const {
+    const Ids other = Ids{} + id_j;
+    const auto first = id_i < other;
+    base::LaneRandom::Words words[4];
+    random.draw(first ? id_i : other, first ? other : id_i, words);
+    Lane xi[D], projected{};
     for (int a = 0; a < D; ++a) {
-      xi[a] = root_twelve * ((double(random()) + 0.5) * 0x1p-32 - 0.5);
-      projected += xi[a] * pair.x[a][lane];
+      xi[a] = root_twelve * ((__builtin_convertvector(words[a], Lane) + 0.5) * 0x1p-32 - 0.5);
+      projected = fma(xi[a], pair.x[a], projected);
     }
-    const double common = std::sqrt(pair.V_i * pair.V_j[lane] * pair.F[lane] * pair.s[lane]);
-    const double size = first ? common : -common;
-    const double radial = along * (projected / pair.r2[lane]);
-    for (int a = 0; a < D; ++a) impulse[a] += size * (across * xi[a] + radial * pair.x[a][lane]);
+    const Lane strength = pair.V_i * pair.V_j * pair.F * pair.s, one = same(1.0);
+    const Lane size = strength * inverse_root(strength + tiny) * (first ? one : id_i > other ? -one : Lane{});
+    const Lane radial = along * (projected * pair.inverse_r * pair.inverse_r);
+    for (int a = 0; a < D; ++a) impulse[a] += size * (across * xi[a] + radial * pair.x[a]);
   }
 };
 

@@ -28,15 +28,13 @@ struct TransportVelocity {
   }
 
   static void add(const DensityPair<D>& pair, Lane (&sum)[sums]) {
-    for (int a = 0; a < D; ++a) sum[a] += pair.FV * pair.x[a];
+    for (int a = 0; a < D; ++a) sum[a] = fma(pair.FV, pair.x[a], sum[a]);
   }
 
   // dv [m/s] for the next step of dt [s].
-  base::Vec<D> shift(const Lane (&sum)[sums], double dt) const {
+  void shift(const Lane (&sum)[sums], double dt, Lane (&dv)[D]) const {
     const double coefficient = std::min(strength, most_displacement * smoothing * smoothing / dt);
-    base::Vec<D> dv;
-    for (int a = 0; a < D; ++a) dv[a] = coefficient * total(sum[a]);
-    return dv;
+    for (int a = 0; a < D; ++a) dv[a] = coefficient * sum[a];
   }
 };
 

@@ -1,0 +1,222 @@
+#include "hydro/blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace shmoo::hydro {
+namespace {
+
+constexpr std::size_t blocks_per_chunk = 64;  // fixed, so that nothing depends on the number of threads
+
+}  // namespace
+
+template <int D>
+void Blocks<D>::build(sph::Particles<D>& particles) {
+  measure(particles.position.values());
+  sort(particles);
+  lay_blocks();
+  add_others();
+  place_slots();
+  chunks_.resize((blocks_.size() + blocks_per_chunk - 1) / blocks_per_chunk);
+#pragma omp parallel for schedule(dynamic) if (worth_threads(fluid_))
+  for (std::size_t c = 0; c < chunks_.size(); ++c) list_partners(c);
+}
+
+// The extent of all particles, and columns in which a block of eight is about as wide as high.
+template <int D>
+void Blocks<D>::measure(const std::vector<Vec>& position) {
+  Vec lower = box_.lower, upper = box_.upper;
+  for (const Vec& x : position) {
+    lower = lower.cwiseMin(x);
+    upper = upper.cwiseMax(x);
+  }
+  for (int a = 0; a < D; ++a) {
+    if (!box_.periodic[a]) continue;
+    lower[a] = box_.lower[a];
+    upper[a] = box_.upper[a];
+  }
+  origin_ = lower;
+  const Vec extent = upper - lower;
+  grain_ = 1.5 * 0x1p52 * std::ldexp(1.0, std::ilogb(extent.maxCoeff() + cutoff_) - 50);
+  for (int a = 0; a < D; ++a) length_[a] = box_.periodic[a] ? snap(extent[a]) : 0.0;
+  double width = spacing_ * std::pow(double(lanes), 1.0 / D);
+  const double most = 4.0 * double(position.size()) + 4096.0;
+  for (;; width *= 1.25) {
+    grid_ = sph::lay_columns<D>(Vec(Vec::Zero()), extent, width, box_.periodic, cutoff_);
+    if (double(grid_.columns()) * grid_.layers() <= most) return;
+  }
+}
+
+template <int D>
+void Blocks<D>::sort(sph::Particles<D>& particles) {
+  const std::size_t n = particles.size();
+  std::vector<std::uint32_t> order;
+  std::vector<Vec> points;
+  order.reserve(n);
+  points.reserve(n);
+  const auto take = [&](bool flowing) {
+    const std::size_t before = order.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if ((particles.role[i] == sph::Role::fluid) != flowing) continue;
+      order.push_back(std::uint32_t(i));
+      points.push_back(particles.position[i] - origin_);
+    }
+    auto& columns = flowing ? fluid_columns_ : other_columns_;
+    columns.sort(grid_, std::span<const Vec>(points).subspan(before));
+    std::vector<std::uint32_t> sorted(order.size() - before);
+    for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = order[before + columns.order()[k]];
+    std::copy(sorted.begin(), sorted.end(), order.begin() + std::ptrdiff_t(before));
+  };
+  take(true);
+  fluid_ = order.size();
+  take(false);
+  solids_ = n - fluid_;
+  particles.permute(order);
+  built_at_ = particles.position.values();
+  anchor_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) anchor_[i] = snapped(built_at_[i] - origin_);
+  now_ = anchor_;
+}
+
+template <int D>
+void Blocks<D>::lay_blocks() {
+  blocks_.clear();
+  particle_.clear();
+  padding_.assign(grid_.columns(), 0);
+  for (std::size_t c = 0; c < grid_.columns(); ++c) {
+    const std::uint32_t begin = fluid_columns_.first(c), end = fluid_columns_.first(c + 1);
+    padding_[c] = std::uint32_t(particle_.size()) - begin;
+    for (std::uint32_t i = begin; i < end; i += lanes) {
+      blocks_.push_back({.first = i, .size = std::min(end - i, std::uint32_t(lanes))});
+      for (std::uint32_t l = 0; l < lanes; ++l) particle_.push_back(std::min(i + l, end - 1));
+    }
+  }
+}
+
+// Solids, and images of all that stands within the cutoff of a periodic side.
+template <int D>
+void Blocks<D>::add_others() {
+  std::vector<std::uint32_t> source(solids_);
+  std::iota(source.begin(), source.end(), std::uint32_t(fluid_));
+  std::vector<Vec> shift(solids_, Vec(Vec::Zero())), points(anchor_.begin() + std::ptrdiff_t(fluid_), anchor_.end());
+  for (int a = 0; a < D; ++a) {
+    if (!box_.periodic[a]) continue;
+    const auto image = [&](std::uint32_t i, const Vec& x, Vec by) {
+      const bool low = x[a] < cutoff_;
+      if (!low && x[a] < length_[a] - cutoff_) return;
+      by[a] = low ? length_[a] : -length_[a];
+      source.push_back(i);
+      shift.push_back(by);
+      points.push_back(anchor_[i] + by);
+    };
+    const std::size_t so_far = source.size();
+    for (std::size_t k = 0; k < so_far; ++k) image(source[k], Vec(points[k]), Vec(shift[k]));
+    for (std::size_t i = 0; i < fluid_; ++i) image(std::uint32_t(i), anchor_[i], Vec::Zero());
+  }
+  other_columns_.sort(grid_, points);
+  shift_.resize(source.size());
+  particle_.resize(block_slots() + source.size());
+  for (std::size_t k = 0; k < source.size(); ++k) {
+    shift_[k] = shift[other_columns_.order()[k]];
+    particle_[block_slots() + k] = source[other_columns_.order()[k]];
+  }
+  for (auto& axis : coordinate) axis.resize(particle_.size() + lanes);
+}
+
+template <int D>
+void Blocks<D>::place_slots() {
+  const std::size_t others = block_slots();
+  for_slots([&](std::size_t s, std::size_t i) {
+    for (int a = 0; a < D; ++a) coordinate[std::size_t(a)][s] = now_[i][a] + (s < others ? 0.0 : shift_[s - others][a]);
+  });
+}
+
+template <int D>
+double Blocks<D>::follow(const std::vector<Vec>& position) {
+  double farthest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : farthest) if (worth_threads(position.size() / 4))
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const Vec way = box_.nearest(position[i] - built_at_[i]);
+    const double way2 = way.squaredNorm();
+    farthest = way2 >= 0.0 ? std::max(farthest, way2) : std::numeric_limits<double>::infinity();
+    now_[i] = snapped(anchor_[i] + way);
+  }
+  place_slots();
+  return farthest;
+}
+
+template <int D>
+void Blocks<D>::list_partners(std::size_t c) {
+  Chunk& chunk = chunks_[c];
+  std::size_t size = 0;
+  for (std::size_t b = c * blocks_per_chunk; b < std::min((c + 1) * blocks_per_chunk, blocks_.size()); ++b) {
+    Block& block = blocks_[b];
+    block.chunk = std::uint32_t(c);
+    block.begin = std::uint32_t(size);
+    block.partners = 0;
+    Vec lower = anchor_[block.first], upper = lower;
+    for (std::uint32_t i = block.first; i < block.first + block.size; ++i) {
+      lower = lower.cwiseMin(anchor_[i]);
+      upper = upper.cwiseMax(anchor_[i]);
+    }
+    fluid_columns_.visit(lower, upper, cutoff_, [&](std::size_t column, std::uint32_t begin, std::uint32_t end) {
+      append(chunk, block, lower, upper, begin + padding_[column], end + padding_[column]);
+    });
+    other_columns_.visit(lower, upper, cutoff_, [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
+      append(chunk, block, lower, upper, begin + block_slots(), end + block_slots());
+    });
+    size += block.partners;
+    const std::int32_t* list = chunk.partners.data() + block.begin;
+    block.at_wall = solids_ > 0 && std::any_of(list, list + block.partners, [&](std::int32_t slot) {
+                      return particle_[std::size_t(slot)] >= fluid_;
+                    });
+  }
+  chunk.near.resize(chunk.partners.size());
+}
+
+// Appends the slots begin .. end - 1 that lie within the cutoff of the block's extent.
+template <int D>
+void Blocks<D>::append(Chunk& chunk, Block& block, const Vec& lower, const Vec& upper, std::size_t begin,
+                       std::size_t end) {
+  std::size_t size = block.begin + block.partners;
+  if (chunk.partners.size() < size + (end - begin) + lanes)
+    chunk.partners.resize(2 * size + (end - begin) + 100 * lanes);
+  std::int32_t* list = chunk.partners.data();
+  const double limit = cutoff_ * cutoff_;
+  for (std::size_t s = begin; s < end; s += lanes) {
+    Lane gap2{};
+    for (int a = 0; a < D; ++a) {
+      const Lane x = load(coordinate[std::size_t(a)].data() + s);
+      const Lane gap = larger(larger(lower[a] - x, x - upper[a]), Lane{});
+      gap2 += gap * gap;
+    }
+    const std::size_t most = std::min<std::size_t>(end - s, lanes);
+    for (std::size_t l = 0; l < most; ++l) {
+      list[size] = std::int32_t(s + l);
+      size += gap2[l] < limit;
+    }
+  }
+  block.partners = std::uint32_t(size - block.begin);
+}
+
+template <int D>
+std::uint64_t Blocks<D>::partners() const {
+  std::uint64_t sum = 0;
+  for (const Block& block : blocks_) sum += block.partners;
+  return sum;
+}
+
+template <int D>
+std::size_t Blocks<D>::bytes() const {
+  std::size_t sum = blocks_.size() * sizeof(Block) + 3 * anchor_.size() * sizeof(Vec) + shift_.size() * sizeof(Vec);
+  sum += particle_.size() * (sizeof(std::uint32_t) + D * sizeof(double));
+  for (const Chunk& chunk : chunks_) sum += 2 * chunk.partners.size() * sizeof(std::int32_t);
+  return sum;
+}
+
+template class Blocks<2>;
+template class Blocks<3>;
+
+}  // namespace shmoo::hydro

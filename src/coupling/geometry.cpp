@@ -54,7 +54,8 @@ Geometry<D>::Geometry(const scene::Scene& scene, const sph::Filling<D>& filling)
                 filling.particles.material.values().begin() + long(filling.voxels)),
       vacant_(filling.vacant),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, scene.numerics.reach * filling.spacing.maxCoeff())),
-      cell_(filling.cell) {
+      cell_(filling.cell),
+      moving_rows_(filling.box, reach(), 0.3 * filling.spacing.maxCoeff()) {
   if (scene.effects.flow && scene.effects.species_advection) {
     carried_.assign(scene.materials.size(), false);
     for (const auto& species : scene.species) {
@@ -121,11 +122,28 @@ rdme::PairWeights Geometry<D>::weights(const Frame<D>& frame) const {
 }
 
 template <int D>
+double Geometry<D>::reach() const {
+  return std::visit([](const auto& kernel) { return kernel.reach(); }, kernel_);
+}
+
+// Rows of particles that will move on are kept as long as they serve.
+template <int D>
+std::shared_ptr<const sph::NeighbourRows<D>> Geometry<D>::rows(const Frame<D>& frame) const {
+  if (!frame.steady) return moving_rows_.at(frame.position);
+  moving_rows_.forget();
+  auto rows = std::make_shared<sph::NeighbourRows<D>>();
+  rows->build(frame.position, box_, reach());
+  rows->sort();
+  return rows;
+}
+
+template <int D>
 rdme::JumpGraph Geometry<D>::carrying_graph(const Frame<D>& frame) const {
   const std::vector<bool> none(scene_.materials.size(), false);
   const rdme::Habitat habitat{carried_, none, none, carried_, {}};
   const rdme::Places<D> places{frame.position, frame.departure_capacity, frame.drift, material_, vacant_};
-  auto graph = rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, weights(frame)).graph;
+  auto graph =
+      rdme::make_habitat_graph<D>(places, *rows(frame), box_, kernel_, scene_.depth, habitat, weights(frame)).graph;
   std::vector<double> volume(frame.departure_capacity);
   for (double& v : volume) v *= scene_.depth;
   if (frame.steady)
@@ -158,9 +176,10 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
   if (!frame.drift.empty()) carrying = carrying_graph(frame);
   voxels.graph_of_species = habitat_of_species_;
   const rdme::Places<D> places{frame.position, frame.capacity, {}, material_, vacant_};
+  const auto near = habitats_.empty() ? nullptr : rows(frame);
   std::vector<rdme::HabitatGraph> graphs;
   for (const auto& habitat : habitats_) {
-    graphs.push_back(rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, weights(frame)));
+    graphs.push_back(rdme::make_habitat_graph<D>(places, *near, box_, kernel_, scene_.depth, habitat, weights(frame)));
     if (!frame.drift.empty()) attach_flow(carrying, graphs.back().graph);
   }
   for (std::size_t s = 0; s < scene_.species.size(); ++s) {

@@ -11,6 +11,7 @@
 #include "scene/scene.hpp"
 #include "sph/fill.hpp"
 #include "sph/kernel.hpp"
+#include "sph/skin_rows.hpp"
 #include "sph/sponge.hpp"
 
 namespace shmoo::coupling {
@@ -41,6 +42,8 @@ class Geometry {
 
  private:
   void find_habitats();
+  double reach() const;  // [m] of the kernel
+  std::shared_ptr<const sph::NeighbourRows<D>> rows(const Frame<D>& frame) const;
   rdme::PairWeights weights(const Frame<D>& frame) const;
   void relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const;
   void add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const;
@@ -53,7 +56,8 @@ class Geometry {
   std::vector<std::uint16_t> material_;  // [voxels]
   std::vector<base::Vec<D>> vacant_;
   sph::AnyKernel<D> kernel_;
-  double cell_;                // [m^D] what a particle fills on the lattice
+  double cell_;  // [m^D] what a particle fills on the lattice
+  mutable sph::SkinRows<D> moving_rows_;
   std::vector<bool> carried_;  // [materials]; empty where nothing is carried
   std::vector<rdme::Habitat> habitats_;
   std::vector<int> habitat_of_species_;  // -1: neither diffuses nor is carried

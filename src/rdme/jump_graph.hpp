@@ -19,6 +19,7 @@
 #include "base/box.hpp"
 #include "rdme/voxels.hpp"
 #include "sph/kernel.hpp"
+#include "sph/neighbours.hpp"
 
 namespace shmoo::rdme {
 
@@ -61,21 +62,23 @@ struct HabitatGraph {
 // cells, which are exact for linear profiles on disordered particles but cost more to find.
 enum class PairWeights : std::uint8_t { kernel, faces };
 
-// `depth` as in scene::Scene.
+// `rows`: all pairs within the kernel's reach, and perhaps some beyond, ascending; the graph's rows ascend, too, as
+// whoever compares those of two graphs expects. `depth` as in scene::Scene.
 template <int D>
-HabitatGraph make_habitat_graph(const Places<D>& places, const base::Box<D>& box, const sph::AnyKernel<D>& kernel,
-                                double depth, const Habitat& habitat, PairWeights weights = PairWeights::kernel);
+HabitatGraph make_habitat_graph(const Places<D>& places, const sph::NeighbourRows<D>& rows, const base::Box<D>& box,
+                                const sph::AnyKernel<D>& kernel, double depth, const Habitat& habitat,
+                                PairWeights weights = PairWeights::kernel);
 
 // Adds the smallest potential flow that makes the carried flow of every voxel sum to zero (to a relative 1e-12), so
 // that a flow carried for ever leaves a uniform concentration alone. Returns the largest |net flow| before, relative to
 // the largest gross flow. Throws base::RunError where the conjugate gradients fail.
 double make_divergence_free(JumpGraph& graph, std::span<const double> volume);
 
-extern template HabitatGraph make_habitat_graph(const Places<1>&, const base::Box<1>&, const sph::AnyKernel<1>&, double,
-                                                const Habitat&, PairWeights);
-extern template HabitatGraph make_habitat_graph(const Places<2>&, const base::Box<2>&, const sph::AnyKernel<2>&, double,
-                                                const Habitat&, PairWeights);
-extern template HabitatGraph make_habitat_graph(const Places<3>&, const base::Box<3>&, const sph::AnyKernel<3>&, double,
-                                                const Habitat&, PairWeights);
+extern template HabitatGraph make_habitat_graph(const Places<1>&, const sph::NeighbourRows<1>&, const base::Box<1>&,
+                                                const sph::AnyKernel<1>&, double, const Habitat&, PairWeights);
+extern template HabitatGraph make_habitat_graph(const Places<2>&, const sph::NeighbourRows<2>&, const base::Box<2>&,
+                                                const sph::AnyKernel<2>&, double, const Habitat&, PairWeights);
+extern template HabitatGraph make_habitat_graph(const Places<3>&, const sph::NeighbourRows<3>&, const base::Box<3>&,
+                                                const sph::AnyKernel<3>&, double, const Habitat&, PairWeights);
 
 }  // namespace shmoo::rdme

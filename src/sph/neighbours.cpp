@@ -91,6 +91,13 @@ void NeighbourRows<D>::build(std::span<const Vec> positions, const base::Box<D>&
   }
 }
 
+template <int D>
+void NeighbourRows<D>::sort() {
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < size(); ++i)
+    std::sort(index_.begin() + std::ptrdiff_t(first_[i]), index_.begin() + std::ptrdiff_t(first_[i + 1]));
+}
+
 template class NeighbourRows<1>;
 template class NeighbourRows<2>;
 template class NeighbourRows<3>;

@@ -19,6 +19,9 @@ class NeighbourRows {
   // Every periodic extent must be at least two cutoffs.
   void build(std::span<const Vec> positions, const base::Box<D>& box, double cutoff);
 
+  // Makes the rows ascend.
+  void sort();
+
   std::size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }
   std::uint64_t first(std::size_t i) const { return first_[i]; }
   std::uint64_t pairs() const { return first_.empty() ? 0 : first_.back(); }

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/random.hpp"
+#include "habitat_graph.hpp"
 
 namespace {
 
@@ -67,8 +68,8 @@ void check_detailed_balance(const Lattice<D>& lattice, double reach) {
   for (std::size_t i = 0; i < unequal.size(); ++i) unequal[i] *= i % 3 == 0 ? 8.0 : 1.0;
   rdme::Places<D> places = lattice.places();
   places.area = unequal;
-  const auto g = rdme::make_habitat_graph<D>(places, lattice.box, sph::make_kernel<D>(scene::Kernel::lucy, reach), 1.0,
-                                             everywhere());
+  const auto g =
+      rdme::habitat_graph<D>(places, lattice.box, sph::make_kernel<D>(scene::Kernel::lucy, reach), 1.0, everywhere());
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < unequal.size(); ++i) {
     for (std::uint64_t p = g.graph.first[i]; p < g.graph.first[i + 1]; ++p) {
@@ -95,8 +96,8 @@ TEST(JumpGraph, ALinearProfileBetweenOpenSidesIsExact) {
     Lattice<1> line(16);
     auto habitat = everywhere();
     habitat.side = {rdme::SideUse::open, rdme::SideUse::open};
-    const auto g = rdme::make_habitat_graph<1>(line.places(), line.box,
-                                               sph::make_kernel<1>(scene::Kernel::lucy, reach / 16), 1.0, habitat);
+    const auto g = rdme::habitat_graph<1>(line.places(), line.box, sph::make_kernel<1>(scene::Kernel::lucy, reach / 16),
+                                          1.0, habitat);
     const auto G = generator(g, 16, {1.0, 0.0});
     const Eigen::VectorXd steady = G.L.partialPivLu().solve(-G.b);
     for (int i = 0; i < 16; ++i) EXPECT_NEAR(steady[i], 1.0 - line.position[std::size_t(i)][0], 1e-12);
@@ -117,8 +118,7 @@ double slab_error(int n, double reach, scene::Kernel kernel, double t, double ji
   Lattice<1> line(n, jitter);
   auto habitat = everywhere();
   habitat.side = {rdme::SideUse::open, rdme::SideUse::open};
-  const auto g =
-      rdme::make_habitat_graph<1>(line.places(), line.box, sph::make_kernel<1>(kernel, reach / n), 1.0, habitat);
+  const auto g = rdme::habitat_graph<1>(line.places(), line.box, sph::make_kernel<1>(kernel, reach / n), 1.0, habitat);
   const auto G = generator(g, std::size_t(n), {1.0, 0.0});
   const Eigen::VectorXd steady = G.L.partialPivLu().solve(-G.b);
   const Eigen::EigenSolver<Eigen::MatrixXd> modes(G.L);
@@ -147,8 +147,8 @@ TEST(JumpGraph, AFluxSideReceivesItsWholeArea) {
   Lattice<2> square(10, 0.2);
   auto habitat = everywhere();
   habitat.side[2] = rdme::SideUse::flux;
-  const auto g = rdme::make_habitat_graph<2>(square.places(), square.box,
-                                             sph::make_kernel<2>(scene::Kernel::wendland_c2, 0.3), 0.5, habitat);
+  const auto g = rdme::habitat_graph<2>(square.places(), square.box,
+                                        sph::make_kernel<2>(scene::Kernel::wendland_c2, 0.3), 0.5, habitat);
   double area = 0.0;
   for (const auto& c : g.contacts) {
     EXPECT_EQ(c.boundary, 2u);
@@ -165,8 +165,8 @@ TEST(JumpGraph, TheCarriedVolumeIsAntisymmetricAndCanBeMadeDivergenceFree) {
     square.drift.emplace_back(-(1.0 + std::sin(2 * pi * x[0]) * std::cos(pi * x[1]) * pi),
                               2 * pi * std::cos(2 * pi * x[0]) * std::sin(pi * x[1]));
   }
-  auto g = rdme::make_habitat_graph<2>(square.places(), square.box,
-                                       sph::make_kernel<2>(scene::Kernel::wendland_c2, 3.0 / 16), 1.0, everywhere());
+  auto g = rdme::habitat_graph<2>(square.places(), square.box,
+                                  sph::make_kernel<2>(scene::Kernel::wendland_c2, 3.0 / 16), 1.0, everywhere());
   EXPECT_NEAR(std::accumulate(g.graph.flow.begin(), g.graph.flow.end(), 0.0), 0.0, 1e-13);
   const double before = rdme::make_divergence_free(g.graph, square.area);
   EXPECT_LT(before, 0.2);

@@ -12,7 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
-#include "rdme/jump_graph.hpp"
+#include "habitat_graph.hpp"
 
 namespace {
 
@@ -87,7 +87,7 @@ void check_linear(int n) {
   rdme::Habitat habitat{{true}, {false}, {false}, {true}, {}};
   habitat.side[0] = habitat.side[1] = rdme::SideUse::open;
   const auto kernel = sph::make_kernel<D>(scene::Kernel::wendland_c2, 3.5 * cloud.spacing);
-  const auto g = rdme::make_habitat_graph<D>(places, cloud.box, kernel, 1.0, habitat, rdme::PairWeights::faces);
+  const auto g = rdme::habitat_graph<D>(places, cloud.box, kernel, 1.0, habitat, rdme::PairWeights::faces);
   for (std::size_t i = 0; i < area.size(); ++i) {
     double net = 0.0, gross = 0.0;
     for (std::uint64_t p = g.graph.first[i]; p < g.graph.first[i + 1]; ++p) {
@@ -119,8 +119,8 @@ double source_error(int n, double jitter) {
   rdme::Habitat habitat{{true}, {false}, {false}, {true}, {}};
   habitat.side.fill(rdme::SideUse::open);
   const auto kernel = sph::make_kernel<2>(scene::Kernel::wendland_c2, 3.0 * cloud.spacing);
-  const auto g = rdme::make_habitat_graph<2>({cloud.position, area, {}, material}, cloud.box, kernel, 1.0, habitat,
-                                             rdme::PairWeights::faces);
+  const auto g = rdme::habitat_graph<2>({cloud.position, area, {}, material}, cloud.box, kernel, 1.0, habitat,
+                                        rdme::PairWeights::faces);
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(total, total);
   Eigen::VectorXd source(total), exact(total);
   const double pi = std::numbers::pi;

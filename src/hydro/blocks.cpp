@@ -84,12 +84,14 @@ template <int D>
 void Blocks<D>::lay_blocks() {
   blocks_.clear();
   particle_.clear();
+  slot_.clear();
   padding_.assign(grid_.columns(), 0);
   for (std::size_t c = 0; c < grid_.columns(); ++c) {
     const std::uint32_t begin = fluid_columns_.first(c), end = fluid_columns_.first(c + 1);
     padding_[c] = std::uint32_t(particle_.size()) - begin;
     for (std::uint32_t i = begin; i < end; i += lanes) {
       blocks_.push_back({.first = i, .size = std::min(end - i, std::uint32_t(lanes))});
+      for (std::uint32_t l = 0; l < blocks_.back().size; ++l) slot_.push_back(std::uint32_t(particle_.size()) + l);
       for (std::uint32_t l = 0; l < lanes; ++l) particle_.push_back(std::min(i + l, end - 1));
     }
   }

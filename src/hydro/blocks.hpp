@@ -50,7 +50,8 @@ class Blocks {
   std::size_t slots() const { return coordinate[0].size() - lanes; }  // a vector's worth can be read beyond the last
   std::size_t block_slots() const { return lanes * blocks_.size(); }
   std::uint32_t particle(std::size_t slot) const { return particle_[slot]; }
-  std::array<LaneArray, D> coordinate;  // [m] of slots
+  std::uint32_t slot(std::size_t particle) const { return slot_[particle]; }  // of one that flows
+  std::array<LaneArray, D> coordinate;                                        // [m] of slots
 
   // Calls fill(slot, particle) for every slot.
   template <class Fill>
@@ -113,6 +114,7 @@ class Blocks {
   std::vector<Chunk> chunks_;
   std::vector<std::uint32_t> padding_;   // slots before a column beyond its particles
   std::vector<std::uint32_t> particle_;  // by slot
+  std::vector<std::uint32_t> slot_;      // by particle that flows
 };
 
 extern template class Blocks<2>;

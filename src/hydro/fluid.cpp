@@ -62,6 +62,7 @@ void Fluid<D>::find_step() {
   dt_ = smallest->value;
   for (const auto& limit : limits_) derived_.push_back({"step limit, " + limit.name, limit.value, "s", limit.why});
   derived_.push_back({"time step", dt_, "s", "set by: " + smallest->name});
+  if (effects_.implicit_friction) effects_.implicit_friction->describe(state_.scales, dt_, derived_);
   for (const auto& effect : effects_.body) effect->describe(derived_);
 }
 
@@ -80,6 +81,7 @@ void Fluid<D>::restart() {
   state_.rows.build(particles);
   last_dt_ = dt_;
   evaluate(0.0);
+  if (state_.driving) state_.driving->values() = state_.acceleration.values();
 }
 
 template <int D>
@@ -102,8 +104,10 @@ void Fluid<D>::advance(double until) {
 // each pair is visited once a step in either sweep), half a kick, and what crossed a wall is thrown back.
 template <int D>
 void Fluid<D>::step(double dt) {
-  const double root = std::sqrt(dt);
-  kick(dt, 0.5 * (root + std::sqrt(last_dt_)));
+  const bool implicit = effects_.implicit_friction.has_value();
+  const double root = implicit ? 0.0 : std::sqrt(dt), last_root = implicit ? 0.0 : std::sqrt(last_dt_);
+  if (state_.start_velocity) state_.start_velocity->values() = state_.velocity.values();
+  kick(dt, 0.5 * (root + last_root));
   last_dt_ = dt;
   drift(dt);
   walls_.carry(state_, time_, dt);
@@ -111,7 +115,7 @@ void Fluid<D>::step(double dt) {
   ++steps_;
   state_.rows.follow(state_.particles);
   evaluate(dt);
-  kick(dt, root);
+  implicit ? rub(dt) : kick(dt, root);
   if (effects_.bounce_back) bounces_ += effects_.bounce_back->apply(state_, kernel_);
   check();
 }
@@ -183,6 +187,26 @@ void Fluid<D>::kick(double dt, double root) {
     if (state_.noise) v += 0.5 * root * (*state_.noise)[i];
     state_.velocity[i] = v;
     const double speed2 = v.squaredNorm();
+    fastest = speed2 >= 0.0 ? std::max(fastest, speed2) : std::numeric_limits<double>::infinity();
+  }
+  fastest_ = std::sqrt(fastest);
+}
+
+template <int D>
+void Fluid<D>::rub(double dt) {
+  auto& friction = *effects_.implicit_friction;
+  const auto renew_walls = [this] { walls_.extrapolate_velocity(state_, kernel_); };
+  friction.prepare(state_, kernel_);
+  if (state_.noise) {
+    kick(dt, 0.0);
+    friction.shake(state_, renew_walls, dt);
+  } else {
+    friction.advance(state_, renew_walls, dt);
+  }
+  renew_walls();
+  double fastest = 0.0;
+  for (const std::uint32_t i : state_.rows.fluid()) {
+    const double speed2 = state_.velocity[i].squaredNorm();
     fastest = speed2 >= 0.0 ? std::max(fastest, speed2) : std::numeric_limits<double>::infinity();
   }
   fastest_ = std::sqrt(fastest);

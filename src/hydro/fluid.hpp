@@ -75,6 +75,7 @@ class Fluid {
   double step_limit() const;  // [s] now
   void evaluate(double dt);
   void kick(double dt, double root);
+  void rub(double dt);  // implicit friction in place of the second kick
   void drift(double dt);
   void fill_slots();   // for the first sweep
   void fill_stress();  // and for the second

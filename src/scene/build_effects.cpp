@@ -110,6 +110,9 @@ void check_requests(const Asked& asked, const Scene& scene) {
   needs("thermal_noise", scene.flow.thermal_energy.has_value(), "needs flow.temperature or flow.thermal_energy");
   needs("thermal_noise", asked.value("viscosity") != false,
         "needs the viscosity that it balances; remove effects.viscosity = false");
+  needs("transport_velocity", asked.value("thermal_noise") != true,
+        "shifts particles in a way that does not keep the temperature (2-D: 3 % low); remove it, noise alone keeps "
+        "them apart");
 }
 
 }  // namespace
@@ -135,6 +138,7 @@ void build_effects(const Section& root, Scene& scene) {
   check_requests(asked, scene);
   effects.bounce_back = has_walls(scene);
   effects.species_advection = !scene.species.empty();
+  effects.transport_velocity = asked.value("thermal_noise") != true;
   for (const auto& [name, member] : of_flow) effects.*member = asked.value(name).value_or(effects.*member);
 }
 

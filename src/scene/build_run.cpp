@@ -84,6 +84,11 @@ void build_numerics(const Section& root, Scene& scene) {
                 std::array<std::pair<const char*, PressureForm>, 2>{
                     {{"symmetric", PressureForm::symmetric}, {"difference", PressureForm::difference}}},
                 numerics.pressure);
+    read_choice(*section, "viscous_step",
+                std::array<std::pair<const char*, ViscousStep>, 3>{{{"auto", ViscousStep::automatic},
+                                                                    {"explicit", ViscousStep::explicit_step},
+                                                                    {"implicit", ViscousStep::implicit_step}}},
+                numerics.viscous_step);
     read_choice(
         *section, "sampler",
         std::array<std::pair<const char*, Sampler>, 5>{{{"direct", Sampler::direct},

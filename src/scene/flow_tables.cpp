@@ -85,7 +85,7 @@ Table effects_table() {
               "thermal noise"),
        effect("viscosity", "true", "friction inside the fluid"),
        effect("density_diffusion", "true", "smooths the density"),
-       effect("transport_velocity", "true", "shifts particles towards even spacing"),
+       effect("transport_velocity", "true without thermal noise", "shifts particles towards even spacing"),
        effect("bounce_back", "true where there are walls", "turns particles back that come too close to a wall"),
        effect("thermal_noise", "false",
               "random forces of the heat bath; needs flow.temperature or flow.thermal_energy"),

@@ -13,6 +13,10 @@ Effects<D> Effects<D>::choose(const scene::Scene& scene, const Scales<D>& scales
   effects.density_diffusion = DensityDiffusion::choose(scene, scales);
   effects.transport_velocity = TransportVelocity<D>::choose(scene, scales);
   effects.viscosity = Viscosity<D>::choose(scene, scales);
+  if (ImplicitFriction<D>::chosen(scene, scales)) {
+    effects.implicit_friction.emplace(std::get<Viscosity<D>>(effects.viscosity));
+    effects.viscosity = Absent{};
+  }
   effects.thermal_noise = ThermalNoise<D>::choose(scene, scales, key);
   effects.bounce_back = BounceBack<D>::choose(scene);
   BodyForce<D>::choose(scene, scales, effects.body);
@@ -35,6 +39,7 @@ std::vector<std::string> Effects<D>::names() const {
   add(density_diffusion);
   add(transport_velocity);
   add(viscosity);
+  if (implicit_friction) names.emplace_back(ImplicitFriction<D>::name);
   add(thermal_noise);
   if (bounce_back) names.emplace_back(BounceBack<D>::name);
   for (const auto& effect : body) names.emplace_back(effect->name());
@@ -58,6 +63,10 @@ bool Effects<D>::remove(std::string_view name) {
   take(viscosity);
   take(thermal_noise);
   if (removed && name == ThermalNoise<D>::name) density = DensityByContinuity{};  // as without noise
+  if (implicit_friction && name == ImplicitFriction<D>::name) {
+    implicit_friction.reset();
+    removed = true;
+  }
   if (bounce_back && name == BounceBack<D>::name) {
     bounce_back.reset();
     removed = true;
@@ -68,7 +77,8 @@ bool Effects<D>::remove(std::string_view name) {
 template <int D>
 void Effects<D>::limits(const Scales<D>& scales, std::vector<StepLimit>& list) const {
   if (const auto* effect = std::get_if<Viscosity<D>>(&viscosity)) effect->limits(scales, list);
-  if (const auto* effect = std::get_if<ThermalNoise<D>>(&thermal_noise)) effect->limits(scales, list);
+  const auto* noise = std::get_if<ThermalNoise<D>>(&thermal_noise);
+  if (noise != nullptr && !implicit_friction) noise->limits(scales, list);
   for (const auto& effect : body) effect->limits(scales, list);
 }
 
@@ -76,12 +86,16 @@ template <int D>
 void Effects<D>::require_columns(State<D>& state) const {
   auto& store = state.particles;
   using Vec = base::Vec<D>;
-  if (is_present(viscosity) || is_present(thermal_noise))
+  if (is_present(viscosity) || implicit_friction || is_present(thermal_noise))
     state.scaling = &store.template require<double>("scaling", "1");
   if (std::holds_alternative<DifferencePressure>(pressure)) {
     state.correction = &store.template require<base::Mat<D>>("correction", "1");
   }
   if (is_present(transport_velocity)) state.shift = &store.template require<Vec>("shift_velocity", "m/s");
+  if (implicit_friction && !is_present(thermal_noise)) {
+    state.driving = &store.template require<Vec>("driving", "m/s^2");
+    state.start_velocity = &store.template require<Vec>("start_velocity", "m/s");
+  }
   if (is_present(thermal_noise)) state.noise = &store.template require<Vec>("noise", "m/s^1.5");
 }
 

@@ -9,6 +9,7 @@
 #include "hydro/effects/thermal_noise.hpp"
 #include "hydro/effects/transport_velocity.hpp"
 #include "hydro/effects/viscosity.hpp"
+#include "hydro/implicit_friction.hpp"
 
 namespace shmoo::hydro {
 
@@ -18,7 +19,8 @@ struct Effects {
   std::variant<DensityByContinuity, DensityBySummation> density;
   Slot<DensityDiffusion> density_diffusion;
   Slot<TransportVelocity<D>> transport_velocity;
-  Slot<Viscosity<D>> viscosity;
+  Slot<Viscosity<D>> viscosity;                          // explicit, or
+  std::optional<ImplicitFriction<D>> implicit_friction;  // in its place
   Slot<ThermalNoise<D>> thermal_noise;
   std::optional<BounceBack<D>> bounce_back;
   BodyEffects<D> body;

@@ -39,8 +39,11 @@ struct ThermalNoise {
 
   void limits(const Scales<D>& scales, std::vector<StepLimit>& list) const {
     if (!(scales.thermal_energy > 0.0)) return;
-    list.push_back({name, most_friction / scales.friction, "0.25/gamma, gamma the pair friction rate: kT within 1 %"});
+    list.push_back({name, explicit_limit(scales), "0.25/gamma, gamma the pair friction rate: kT within 1 %"});
   }
+
+  // [s] with explicit friction
+  static double explicit_limit(const Scales<D>& scales) { return most_friction / scales.friction; }
 
   // What the pairs of one evaluation share.
   base::LaneRandom at(std::uint64_t step) const { return {key, base::Stream::thermal_noise, step}; }

@@ -41,54 +41,11 @@ bool ImplicitFriction<D>::chosen(const scene::Scene& scene, const Scales<D>& sca
 }
 
 template <int D>
-void ImplicitFriction<D>::resize(const State<D>& state) {
-  const auto& blocks = state.rows.blocks;
+void ImplicitFriction<D>::prepare(const State<D>& state, const sph::AnyKernel<D>& kernel) {
   for (Field* field : {&v_, &right_, &r_, &shadow_, &p_, &q_, &s_, &t_}) {
-    for (auto& axis : *field) axis.resize(blocks.slots());
+    for (auto& axis : *field) axis.resize(state.rows.blocks.slots());
   }
-  weight_.assign(blocks.block_slots(), 0.0);
-  parts_.resize(blocks.size());
-  first_.resize(blocks.size() + 1);
-  first_[0] = 0;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    first_[b + 1] = first_[b] + blocks[b].near;
-    for (std::uint32_t l = 0; l < blocks[b].size; ++l) weight_[lanes * b + l] = 1.0;
-  }
-  across_.resize(lanes * first_.back());
-  if (viscosity_.beta != 0.0) along_.resize(lanes * first_.back());
-}
-
-template <int D>
-void ImplicitFriction<D>::prepare(const State<D>& state, const sph::AnyKernel<D>& any_kernel) {
-  resize(state);
-  const auto& blocks = state.rows.blocks;
-  const auto& slots = state.slots;
-  std::visit(
-      [&](const auto& kernel) {
-#pragma omp parallel for schedule(static) if (worth_threads(blocks.block_slots()))
-        for (std::size_t b = 0; b < blocks.size(); ++b) {
-          const std::int32_t* near = blocks.near(blocks[b]);
-          const Lane volume = load(slots.volume.data() + lanes * b) / state.scales.mass;
-          const Lane scaling = load(slots.scaling.data() + lanes * b);
-          for (std::uint32_t k = 0; k < blocks[b].near; ++k) {
-            const auto slot = std::size_t(near[k]);
-            Lane r2 = same(tiny);
-            for (std::size_t a = 0; a < D; ++a) {
-              const Lane x = load(blocks.coordinate[a].data() + lanes * b) - blocks.coordinate[a][slot];
-              r2 = fma(x, x, r2);
-            }
-            const Lane inverse_r = inverse_root(r2);
-            const Lane F = kernel.F(Lane(r2 * inverse_r));
-            const Lane common = volume * slots.volume[slot] * F * (0.5 * (scaling + slots.scaling[slot]));
-            const std::size_t at = lanes * (first_[b] + k);
-            store(viscosity_.alpha * common, across_.data() + at);
-            if (viscosity_.beta == 0.0) continue;
-            const Lane inverse2 = inverse_r * inverse_r;
-            store(r2 > 1e-200 ? viscosity_.beta * common * inverse2 : Lane{}, along_.data() + at);
-          }
-        }
-      },
-      any_kernel);
+  matrix_.prepare(state, kernel);
 }
 
 template <int D>
@@ -133,82 +90,40 @@ template <int D>
 void ImplicitFriction<D>::apply(State<D>& state, const RenewWalls& renew_walls, double h, Field& v, Field& result,
                                 bool linear) {
   fill_others(state, renew_walls, v, linear);
-  ++products_;
-  const auto& blocks = state.rows.blocks;
-  const bool has_along = viscosity_.beta != 0.0;
-#pragma omp parallel for schedule(static) if (worth_threads(blocks.block_slots()))
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const std::int32_t* near = blocks.near(blocks[b]);
-    Lane own[D], sum[D] = {};
-    for (std::size_t a = 0; a < D; ++a) own[a] = load(v[a].data() + lanes * b);
-    for (std::uint32_t k = 0; k < blocks[b].near; ++k) {
-      const auto slot = std::size_t(near[k]);
-      const std::size_t at = lanes * (first_[b] + k);
-      const Lane across = load(across_.data() + at);
-      Lane dv[D];
-      for (std::size_t a = 0; a < D; ++a) {
-        dv[a] = own[a] - v[a][slot];
-        sum[a] = fma(across, dv[a], sum[a]);
-      }
-      if (!has_along) continue;
-      Lane x[D], projected{};
-      for (std::size_t a = 0; a < D; ++a) {
-        x[a] = load(blocks.coordinate[a].data() + lanes * b) - blocks.coordinate[a][slot];
-        projected = fma(x[a], dv[a], projected);
-      }
-      projected *= load(along_.data() + at);
-      for (std::size_t a = 0; a < D; ++a) sum[a] = fma(projected, x[a], sum[a]);
-    }
-    for (std::size_t a = 0; a < D; ++a) store(fma(same(h), sum[a], own[a]), result[a].data() + lanes * b);
-  }
-}
-
-// Summed in the order of blocks, so that bits do not depend on threads.
-template <int D>
-double ImplicitFriction<D>::product(const State<D>& state, const Field& a, const Field& b) {
-#pragma omp parallel for schedule(static) if (worth_threads(2 * parts_.size()))
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    Lane sum{};
-    for (std::size_t c = 0; c < D; ++c) sum = fma(load(a[c].data() + lanes * k), load(b[c].data() + lanes * k), sum);
-    sum *= load(weight_.data() + lanes * k);
-    parts_[k] = ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7]));
-  }
-  double total = 0.0;
-  for (std::size_t k = 0; k < state.rows.blocks.size(); ++k) total += parts_[k];
-  return total;
+  matrix_.apply(state.rows.blocks, h, v, result);
 }
 
 // BiCGSTAB for the correction of v_ until the residual r_ is below `aim`; returns its norm.
 template <int D>
 double ImplicitFriction<D>::iterate(State<D>& state, const RenewWalls& renew_walls, double h, double aim) {
-  double rho = 1.0, alpha = 1.0, omega = 1.0, left = std::sqrt(product(state, r_, r_));
+  double rho = 1.0, alpha = 1.0, omega = 1.0, left = norm(r_);
   shadow_ = r_;
   for (auto* field : {&p_, &q_})
     for (auto& axis : *field) std::fill(axis.begin(), axis.end(), 0.0);
   for (int k = 0; k < most_iterations && left > aim; ++k) {
-    const double next = product(state, shadow_, r_), beta = next / rho * (alpha / omega);
+    const double next = matrix_.product(shadow_, r_), beta = next / rho * (alpha / omega);
     rho = next;
     for_each_lane<D>(state, [&](std::size_t a, std::size_t s) {
       const Lane p = load(p_[a].data() + s) - omega * load(q_[a].data() + s);
       store(load(r_[a].data() + s) + beta * p, p_[a].data() + s);
     });
     apply(state, renew_walls, h, p_, q_, true);
-    alpha = rho / product(state, shadow_, q_);
+    alpha = rho / matrix_.product(shadow_, q_);
     for_each_lane<D>(state, [&](std::size_t a, std::size_t s) {
       store(load(r_[a].data() + s) - alpha * load(q_[a].data() + s), s_[a].data() + s);
     });
-    const bool done = std::sqrt(product(state, s_, s_)) <= aim;
+    const bool done = norm(s_) <= aim;
     omega = 0.0;
     if (!done) {
       apply(state, renew_walls, h, s_, t_, true);
-      omega = product(state, t_, s_) / product(state, t_, t_);
+      omega = matrix_.product(t_, s_) / matrix_.product(t_, t_);
     }
     for_each_lane<D>(state, [&](std::size_t a, std::size_t s) {
       const Lane rest = load(s_[a].data() + s), way = alpha * load(p_[a].data() + s) + omega * rest;
       store(load(v_[a].data() + s) + way, v_[a].data() + s);
       store(done ? rest : rest - omega * load(t_[a].data() + s), r_[a].data() + s);
     });
-    left = std::sqrt(product(state, r_, r_));
+    left = norm(r_);
     if (done || !std::isfinite(left)) break;
   }
   return left;
@@ -218,7 +133,7 @@ double ImplicitFriction<D>::iterate(State<D>& state, const RenewWalls& renew_wal
 template <int D>
 void ImplicitFriction<D>::solve(State<D>& state, const RenewWalls& renew_walls, double h) {
   const bool walls = !state.rows.solid().empty();
-  const double size = std::sqrt(product(state, right_, right_));
+  const double size = norm(right_);
   if (walls) {
     const auto& blocks = state.rows.blocks;
     for (std::size_t i = 0; i < blocks.fluid(); ++i) state.velocity[i].setZero();
@@ -235,8 +150,8 @@ void ImplicitFriction<D>::solve(State<D>& state, const RenewWalls& renew_walls, 
     for_each_lane<D>(state, [&](std::size_t a, std::size_t s) {
       store(load(right_[a].data() + s) - load(t_[a].data() + s), r_[a].data() + s);
     });
-    left = std::sqrt(product(state, r_, r_));
-    aim = tolerance * std::max(size, std::sqrt(product(state, v_, v_)));
+    left = norm(r_);
+    aim = tolerance * std::max(size, norm(v_));
     if (left <= aim) return;
     left = iterate(state, renew_walls, h, 0.5 * aim);
     if (!walls && left <= aim) return;
@@ -297,11 +212,6 @@ void ImplicitFriction<D>::shake(State<D>& state, const RenewWalls& renew_walls, 
   });
   solve(state, renew_walls, h);
   give(v_, state);
-}
-
-template <int D>
-std::size_t ImplicitFriction<D>::bytes() const {
-  return sizeof(double) * (across_.size() + along_.size() + weight_.size() + 8 * D * v_[0].size());
 }
 
 template class ImplicitFriction<2>;

@@ -5,14 +5,11 @@
 // Crank-Nicolson step of the Ornstein-Uhlenbeck process, which keeps the Gaussian of temperature kT for any friction.
 // The linear systems (1 + h G) v = b are solved without a matrix by BiCGSTAB (van der Vorst 1992): walls that show the
 // fluid extrapolated velocities make G unsymmetric.
-#include <array>
+#include <cmath>
 #include <functional>
-#include <span>
 #include <vector>
 
-#include "hydro/effects/viscosity.hpp"
-#include "hydro/state.hpp"
-#include "sph/kernel.hpp"
+#include "hydro/friction_matrix.hpp"
 
 namespace shmoo::hydro {
 
@@ -24,7 +21,7 @@ class ImplicitFriction {
   // `renew_walls` writes the velocities of solids that follow from those of the fluid, both in state.velocity.
   using RenewWalls = std::function<void()>;
 
-  explicit ImplicitFriction(const Viscosity<D>& viscosity) : viscosity_(viscosity) {}
+  explicit ImplicitFriction(const Viscosity<D>& viscosity) : matrix_(viscosity) {}
 
   static bool chosen(const scene::Scene& scene, const Scales<D>& scales);
 
@@ -38,13 +35,9 @@ class ImplicitFriction {
   // The same for dv = -G v dt + noise sqrt(dt); leaves the acceleration alone.
   void shake(State<D>& state, const RenewWalls& renew_walls, double dt);
 
-  std::uint64_t products() const { return products_; }  // G v so far
-  std::size_t bytes() const;
-
  private:
-  using Field = std::array<LaneArray, D>;  // by slot
+  using Field = typename FrictionMatrix<D>::Field;
 
-  void resize(const State<D>& state);
   void take(const State<D>& state, const std::vector<base::Vec<D>>& values, Field& field) const;
   void give(const Field& field, State<D>& state) const;
   // v = start + h (source_ - G v) from the guess in v_; the velocity and its rate go to the state.
@@ -54,18 +47,13 @@ class ImplicitFriction {
   // result <- v + h G v; `linear`: of differences, for which walls rest where they would move on their own.
   void apply(State<D>& state, const RenewWalls& renew_walls, double h, Field& v, Field& result, bool linear);
   void fill_others(State<D>& state, const RenewWalls& renew_walls, Field& v, bool linear);
-  double product(const State<D>& state, const Field& a, const Field& b);
+  double norm(const Field& v) { return std::sqrt(matrix_.product(v, v)); }
   double iterate(State<D>& state, const RenewWalls& renew_walls, double h, double aim);
 
-  Viscosity<D> viscosity_;
-  std::vector<std::size_t> first_;  // of a block's pairs
-  LaneArray across_, along_;        // a_ij/m [1/s], b_ij/(m r^2) [1/(m^2 s)]
-  LaneArray weight_;                // 1 for particles, 0 for copies
+  FrictionMatrix<D> matrix_;
   Field v_, right_, r_, shadow_, p_, q_, s_, t_;
   std::vector<base::Vec<D>> source_, start_;  // by particle
   std::vector<base::Vec<D>> wall_at_rest_;    // [m/s] of solids about a fluid at rest
-  std::vector<double> parts_;
-  std::uint64_t products_ = 0;
 };
 
 extern template class ImplicitFriction<2>;

@@ -16,6 +16,20 @@ struct WallView {
   double nearest2 = std::numeric_limits<double>::infinity();
 };
 
+// Where no solid stands nearer than this [spacings] a particle can neither touch a wall nor be inside one.
+constexpr double clear = 1.5;
+
+// Solids are the last in a row.
+template <int D>
+bool stands_clear(const State<D>& state, std::size_t i) {
+  const double limit = clear * clear * state.scales.spacing * state.scales.spacing;
+  const std::int32_t* row = state.rows.partner() + state.rows.first(i);
+  for (std::uint32_t k = state.rows.count(i); k-- > 0 && std::size_t(row[k]) >= state.rows.blocks.fluid();) {
+    if (state.separation(i, std::size_t(row[k])).squaredNorm() < limit) return false;
+  }
+  return true;
+}
+
 template <int D, class Kernel>
 WallView<D> look(const State<D>& state, const Kernel& kernel, std::size_t i) {
   WallView<D> view;
@@ -69,6 +83,7 @@ std::uint64_t BounceBack<D>::apply(State<D>& state, const sph::AnyKernel<D>& ker
       [&](const auto& k) {
 #pragma omp parallel for schedule(static) reduction(+ : count) if (worth_threads(4 * near.size()))
         for (std::size_t n = 0; n < near.size(); ++n) {
+          if (stands_clear(state, near[n])) continue;
           const auto view = look<D>(state, k, near[n]);
           count += throw_back<D>(view, state.scales.spacing, state.velocity[near[n]]);
         }

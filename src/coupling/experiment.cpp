@@ -13,6 +13,7 @@
 #include "coupling/schedule.hpp"
 #include "coupling/timeline.hpp"
 #include "coupling/well_mixed.hpp"
+#include "scene/motion.hpp"
 #include "scene/well.hpp"
 
 namespace shmoo::coupling {
@@ -102,7 +103,7 @@ class ExperimentOf final : public Experiment {
                   !random(), !flow_random_) {
     if (has_chemistry_) derived_.push_back({"splitting_step", step_.value, "s", step_.why});
     if (has_chemistry_ && step_.error > 0.0) derived_.push_back(splitting_error(step_));
-    if (scene_->effects.flow) {
+    if (scene::in_motion(*scene_)) {
       for (auto& number : make_live_flow<D>(*scene_, {scene_->run.seed, 0})->derived())
         derived_.push_back(std::move(number));
     }
@@ -115,13 +116,13 @@ class ExperimentOf final : public Experiment {
   }
 
   std::unique_ptr<Timeline<D>> make_timeline(const base::RandomKey& key) const {
-    auto flow = scene_->effects.flow ? make_live_flow<D>(*scene_, key) : nullptr;
+    auto flow = scene::in_motion(*scene_) ? make_live_flow<D>(*scene_, key) : nullptr;
     return std::make_unique<Timeline<D>>(*scene_, stages_, recorder_.layout().times, step_, std::move(flow),
                                          voxel_positions(filling_), filling_.cell);
   }
 
   void derive(const Timeline<D>& timeline) {
-    if (scene_->effects.flow)
+    if (scene::in_motion(*scene_))
       derived_.push_back(
           {"flow steps", double(timeline.flow_steps()), "1", "time steps until the end, or until it was steady"});
     if (has_chemistry_)

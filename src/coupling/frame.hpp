@@ -28,6 +28,8 @@ struct FlowPicture {
   double temperature = 0;                        // [J], kT
   double density_error = 0;                      // max |rho/rho0 - 1|
   double min_distance = 0;                       // smallest distance of two fluid particles, in spacings
+  std::vector<base::Vec<D>> displacement;        // [m] of solids, 0 elsewhere; empty where there are none
+  double elastic_energy = 0, solid_energy = 0;   // [J] of solids: elastic; elastic and kinetic
 };
 
 }  // namespace shmoo::coupling

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "coupling/live_solids.hpp"
 #include "hydro/fluid.hpp"
 #include "hydro/steadiness.hpp"
 
@@ -22,7 +23,7 @@ class FluidInMotion final : public LiveFlow<D> {
       : FluidInMotion(scene, sph::fill<D>(scene), key) {}
 
   double interval() const override {
-    const double speed = std::max(fluid_.max_speed(), fluid_.scales().speed);
+    const double speed = std::max({fluid_.max_speed(), fluid_.solids().max_speed(), fluid_.scales().speed});
     const double by_motion =
         speed > 0.0 ? most_movement * fluid_.scales().spacing / speed : std::numeric_limits<double>::infinity();
     // A slow flow is steady long before its particles have moved: look often while that can be expected.
@@ -58,6 +59,7 @@ class FluidInMotion final : public LiveFlow<D> {
     picture.temperature = fluid_.temperature();
     picture.density_error = fluid_.density_error();
     picture.min_distance = fluid_.smallest_distance();
+    add_solids(fluid_.solids(), picture);
   }
 
   bool steady() const override { return steady_; }
@@ -121,6 +123,7 @@ std::unique_ptr<LiveFlow<D>> make_live_flow(const scene::Scene& scene, const bas
   if constexpr (D == 1) {
     throw base::InputError({{{scene.file, 0, 0}, "a flow needs dimension = 2 or 3; in 1-D set effects.flow = false"}});
   } else {
+    if (!scene.effects.flow) return make_live_solids<D>(scene);
     return std::make_unique<FluidInMotion<D>>(scene, key);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The one place where the coupling meets the fluid: a fluid in motion, told by persistent id and for voxels only.
+// The one place where the coupling meets what moves: a fluid or solids in motion, told by persistent id and for voxels
+// only.
 #include <memory>
 #include <vector>
 
@@ -34,7 +35,8 @@ class LiveFlow {
   virtual std::vector<Experiment::Derived> derived() const = 0;
 };
 
-// Throws base::InputError in 1-D, where no flow exists. `key` addresses the thermal noise.
+// Of a scene in which something moves: its fluid, with its solids where there are, or its solids alone. Throws
+// base::InputError in 1-D, where nothing moves. `key` addresses the thermal noise.
 template <int D>
 std::unique_ptr<LiveFlow<D>> make_live_flow(const scene::Scene& scene, const base::RandomKey& key);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sph/fill.hpp"
+
 namespace shmoo::coupling {
 namespace {
 
@@ -74,6 +76,22 @@ FieldInfo profile(FieldInfo info, const scene::Observable& observable, const sce
   return info;
 }
 
+// Of the solid particles that started in the observable's shape; 0 where none did.
+template <int D>
+double mean_displacement(const scene::Observable& observable, const scene::Scene& scene, const FlowPicture<D>& picture,
+                         const std::vector<std::uint16_t>& material) {
+  const auto box = sph::domain_box<D>(scene.domain);
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < picture.displacement.size(); ++i) {
+    if (scene.materials[material[i]].type != scene::MaterialType::solid) continue;
+    const base::Vec<D> start = box.wrap(picture.position[i] - picture.displacement[i]);
+    if (!selects<D>(observable, scene, material[i], start)) continue;
+    sum += picture.displacement[i][observable.component];
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
 }  // namespace
 
 bool of_chemistry(ObservableType type) {
@@ -96,7 +114,12 @@ FieldInfo describe(const scene::Observable& observable, const scene::Scene& scen
       return observable.type == ObservableType::profile ? profile(info, observable, scene, cells) : info;
     case ObservableType::kinetic_energy:
     case ObservableType::temperature:
+    case ObservableType::elastic_energy:
+    case ObservableType::solid_energy:
       info.unit = "J";
+      return info;
+    case ObservableType::displacement:
+      info.unit = "m";
       return info;
     case ObservableType::max_speed:
       info.unit = "m/s";
@@ -164,6 +187,15 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
       return;
     case ObservableType::min_distance:
       reals.push_back(picture.min_distance);
+      return;
+    case ObservableType::elastic_energy:
+      reals.push_back(picture.elastic_energy);
+      return;
+    case ObservableType::solid_energy:
+      reals.push_back(picture.solid_energy);
+      return;
+    case ObservableType::displacement:
+      reals.push_back(mean_displacement<D>(observable, scene, picture, material));
       return;
     default:
       break;

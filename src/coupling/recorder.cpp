@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "coupling/observables.hpp"
 #include "coupling/splitting.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::coupling {
 
@@ -19,7 +20,7 @@ Recorder<D>::Recorder(const scene::Scene& scene, const rdme::Network& network, s
     : scene_(scene), material_(std::move(material)) {
   layout_.times = std::move(times);
   add_chemistry_fields(network, chemistry_shared, flow_shared);
-  if (scene.effects.flow) add_flow_fields(flow_shared);
+  if (scene::in_motion(scene)) add_flow_fields(flow_shared);
   refuse_unknown_names();
   for (const auto& observable : scene.observables) {
     FieldInfo info = describe(observable, scene, cells[std::size_t(observable.axis)]);

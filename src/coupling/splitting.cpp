@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "coupling/splitting_twin.hpp"
 #include "rdme/sampler.hpp"
+#include "scene/motion.hpp"
 #include "scene/surface.hpp"
 
 namespace shmoo::coupling {
@@ -37,7 +38,7 @@ bool kinds_meet(const rdme::Network& network) {
 
 // Whether any sampled molecule jumps, enters or leaves.
 bool anything_moves(const scene::Scene& scene) {
-  if (scene.effects.flow || !scene.boundaries.empty() || !scene.inflows.empty()) return true;
+  if (scene::in_motion(scene) || !scene.boundaries.empty() || !scene.inflows.empty()) return true;
   return std::any_of(scene.species.begin(), scene.species.end(), [](const auto& species) {
     return species.method == scene::SpeciesMethod::stochastic && species.diffusivity > 0.0;
   });

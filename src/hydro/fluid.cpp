@@ -9,6 +9,7 @@
 #include "hydro/density_sweep.hpp"
 #include "hydro/force_sweep.hpp"
 #include "hydro/initial_velocity.hpp"
+#include "hydro/solid/reaction_sweep.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -19,7 +20,8 @@ constexpr double most_movement = 0.25;  // [spacings] of any particle in one ste
 
 template <int D>
 Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
-    : state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
+    : solids_(scene, filling),
+      state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, state_.scales.reach)),
       walls_(scene) {}
 
@@ -49,6 +51,7 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
     if (particles.role[i] == sph::Role::fluid) state_.velocity[i] = initial(particles.position[i]);
   }
   walls_.prepare(state_);
+  solids_.prepare(state_, scene);
   find_step();
   restart();
 }
@@ -57,6 +60,7 @@ template <int D>
 void Fluid<D>::find_step() {
   list_base_limits(state_.scales, limits_);
   effects_.limits(state_.scales, limits_);
+  solids_.limits(state_.scales, limits_);
   const auto smallest = std::min_element(limits_.begin(), limits_.end(),
                                          [](const StepLimit& a, const StepLimit& b) { return a.value < b.value; });
   dt_ = smallest->value;
@@ -64,6 +68,7 @@ void Fluid<D>::find_step() {
   derived_.push_back({"time step", dt_, "s", "set by: " + smallest->name});
   if (effects_.implicit_friction) effects_.implicit_friction->describe(state_.scales, dt_, derived_);
   for (const auto& effect : effects_.body) effect->describe(derived_);
+  solids_.solids().describe(derived_);
 }
 
 template <int D>
@@ -79,6 +84,7 @@ void Fluid<D>::restart() {
   }
   fastest_ = std::sqrt(fastest_);
   state_.rows.build(particles);
+  solids_.locate(state_);
   last_dt_ = dt_;
   evaluate(0.0);
   if (state_.driving) state_.driving->values() = state_.acceleration.values();
@@ -109,15 +115,30 @@ void Fluid<D>::step(double dt) {
   if (state_.start_velocity) state_.start_velocity->values() = state_.velocity.values();
   kick(dt, 0.5 * (root + last_root));
   last_dt_ = dt;
+  solids_.push(0.5 * dt);
   drift(dt);
   walls_.carry(state_, time_, dt);
+  solids_.advance(state_, time_, dt);
   time_ += dt;
   ++steps_;
+  const auto builds = state_.rows.builds();
   state_.rows.follow(state_.particles);
+  if (state_.rows.builds() != builds) solids_.locate(state_);
   evaluate(dt);
   implicit ? rub(dt) : kick(dt, root);
-  if (effects_.bounce_back) bounces_ += effects_.bounce_back->apply(state_, kernel_);
+  solids_.push(0.5 * dt);
+  if (effects_.bounce_back) bounce();
   check();
+}
+
+template <int D>
+void Fluid<D>::bounce() {
+  std::vector<Vec> before;
+  if (!solids_.empty())
+    for (const std::uint32_t i : state_.rows.near_wall()) before.push_back(state_.velocity[i]);
+  const auto bounced = effects_.bounce_back->apply(state_, kernel_);
+  if (bounced > 0 && !solids_.empty()) solids_.recoil(state_, kernel_, before);
+  bounces_ += bounced;
 }
 
 template <int D>
@@ -126,9 +147,14 @@ void Fluid<D>::evaluate(double dt) {
   walls_.extrapolate_velocity(state_, kernel_);
   fill_slots();
   sweep_density(state_, kernel_, effects_, dt, next);
+  solids_.close_volume(state_);
   walls_.extrapolate_pressure(state_, time_);
   fill_stress();
   draws_ += sweep_forces(state_, kernel_, effects_, evaluations_++);
+  if (!solids_.empty()) {
+    sweep_reactions(state_, kernel_, effects_);
+    solids_.take_tractions(state_);
+  }
   const BodyView<D> view{state_.particles.position.values(), state_.velocity.values(), state_.acceleration.values(),
                          next};
   const std::span<const std::uint32_t> fluid = state_.rows.fluid();

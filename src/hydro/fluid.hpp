@@ -1,6 +1,6 @@
 #pragma once
-// A weakly compressible SDPD fluid in D dimensions with walls, and the effects that its scene calls for. Results are
-// bit-identical for any number of threads.
+// A weakly compressible SDPD fluid in D dimensions with walls and elastic solids, and the effects that its scene calls
+// for. Results are bit-identical for any number of threads.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +8,7 @@
 #include "base/random.hpp"
 #include "hydro/effects/list.hpp"
 #include "hydro/scales.hpp"
+#include "hydro/solid/immersion.hpp"
 #include "hydro/state.hpp"
 #include "hydro/walls.hpp"
 #include "scene/scene.hpp"
@@ -43,6 +44,7 @@ class Fluid {
   const State<D>& state() const { return state_; }
   const base::Box<D>& box() const { return state_.box; }
   const Scales<D>& scales() const { return state_.scales; }
+  const Solids<D>& solids() const { return solids_.solids(); }
   // Takes positions, velocities and densities as they now are in the store as the state to go on from.
   void restart();
 
@@ -79,11 +81,13 @@ class Fluid {
   void drift(double dt);
   void fill_slots();   // for the first sweep
   void fill_stress();  // and for the second
+  void bounce();
   void check() const;
 
   Effects<D> effects_;
   std::vector<Derived> derived_;
   std::vector<StepLimit> limits_;
+  Immersion<D> solids_;
   State<D> state_;
   sph::AnyKernel<D> kernel_;
   Walls<D> walls_;

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "hydro/effects/thermal_noise.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -31,6 +32,7 @@ bool ImplicitFriction<D>::chosen(const scene::Scene& scene, const Scales<D>& sca
   if (!scene.effects.viscosity || !(scales.viscosity + scales.bulk_viscosity > 0.0)) return false;
   if (scene.numerics.viscous_step != scene::ViscousStep::automatic)
     return scene.numerics.viscous_step == scene::ViscousStep::implicit_step;
+  if (scene::has_solids(scene)) return false;  // they take the opposite of forces, not of such impulses
   std::vector<StepLimit> others, friction;
   list_base_limits(scales, others);
   Viscosity<D>{}.limits(scales, friction);

@@ -8,8 +8,9 @@
 namespace shmoo::hydro {
 
 template <int D>
-InitialVelocity<D>::InitialVelocity(const scene::Scene& scene) : variables_(std::make_unique<std::array<double, 4>>()) {
-  const auto& given = scene.flow.initial_velocity;
+InitialVelocity<D>::InitialVelocity(const std::vector<scene::Quantity>& given,
+                                    const std::map<std::string, double>& parameters)
+    : variables_(std::make_unique<std::array<double, 4>>()) {
   for (std::size_t a = 0; a < D && a < given.size(); ++a) {
     components_[a].value = given[a].value;
     if (given[a].expression.empty()) continue;
@@ -17,7 +18,7 @@ InitialVelocity<D>::InitialVelocity(const scene::Scene& scene) : variables_(std:
     try {
       const char* names[] = {"x", "y", "z", "t"};
       for (std::size_t k = 0; k < 4; ++k) parser->DefineVar(names[k], &(*variables_)[k]);
-      for (const auto& [name, value] : scene.parameters) parser->DefineConst(name, value);
+      for (const auto& [name, value] : parameters) parser->DefineConst(name, value);
       parser->SetExpr(given[a].expression);
       parser->Eval();
     } catch (const mu::Parser::exception_type& error) {

@@ -1,6 +1,6 @@
 #pragma once
-// The velocity that a scene gives the fluid at the start, from numbers or expressions over x, y, z [m] and the
-// parameters.
+// The velocity that a scene gives the fluid or a solid at the start, from numbers or expressions over x, y, z [m] and
+// the parameters.
 #include <array>
 #include <memory>
 
@@ -17,7 +17,9 @@ template <int D>
 class InitialVelocity {
  public:
   // Throws base::InputError where an expression cannot be used.
-  explicit InitialVelocity(const scene::Scene& scene);
+  explicit InitialVelocity(const scene::Scene& scene)
+      : InitialVelocity(scene.flow.initial_velocity, scene.parameters) {}
+  InitialVelocity(const std::vector<scene::Quantity>& given, const std::map<std::string, double>& parameters);
   ~InitialVelocity();
 
   base::Vec<D> operator()(const base::Vec<D>& position) const;  // [m/s]; not thread-safe

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "hydro/initial_velocity.hpp"
 #include "hydro/wall_motion.hpp"
+#include "scene/motion.hpp"
 #include "sph/kernel.hpp"
 
 namespace shmoo::hydro {
@@ -86,6 +87,21 @@ struct Candidate {
   const char* why;
 };
 
+// What an elastic solid starts with, and what it reaches in falling through the domain.
+template <int D, class Offer>
+void offer_solid(const scene::Material& material, const scene::Scene& scene, const sph::Filling<D>& filling,
+                 const Offer& offer) {
+  if (!material.elastic) return;
+  const auto index = std::uint16_t(&material - scene.materials.data());
+  const InitialVelocity<D> initial(material.elastic->initial_velocity, scene.parameters);
+  for (std::size_t i = 0; i < filling.voxels; ++i)
+    if (filling.particles.material[i] == index)
+      offer(initial(filling.particles.position[i]).norm(), "largest initial velocity of a solid");
+  double fall = 0.0;
+  for (int a = 0; a < D; ++a) fall += std::abs(material.elastic->body_force[std::size_t(a)]) * extent(scene, a);
+  offer(std::sqrt(2.0 * fall), "free fall of a solid through the domain");
+}
+
 template <int D>
 Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& filling, const Scales<D>& scales) {
   Candidate best{0.0, "nothing moves"};
@@ -113,6 +129,7 @@ Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& fillin
     if (filling.particles.role[i] != sph::Role::fluid) continue;
     offer(initial(filling.particles.position[i]).norm(), "largest initial velocity");
   }
+  for (const auto& material : scene.materials) offer_solid<D>(material, scene, filling, offer);
   offer(force_speed<D>(scene, scales), "speed that the body force drives");
   return best;
 }
@@ -225,6 +242,8 @@ Scales<D> scales_at_rest(const scene::Scene& scene, const sph::Filling<D>& filli
   if (scene.effects.viscosity) {
     scales.viscosity = fluid.viscosity;
     scales.bulk_viscosity = fluid.bulk_viscosity;
+    // Friction along the line of centres: only then does a solid that turns feel the torque that it should.
+    if (scene::has_solids(scene)) scales.bulk_viscosity = scales.viscosity * (D + 2) / D;
   }
   scales.mass = fluid.density * filling.cell;
   scales.depth = D == 2 ? scene.depth : 1.0;
@@ -255,6 +274,10 @@ Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& fillin
        scene.flow.reference_length ? "flow.reference_length" : "smallest extent between walls, or of the domain"});
   derive_sound<D>(scene, scales, derived);
   sum_lattice<D>(scene, scales);
+  if (scene::has_solids(scene) && scales.viscosity > 0.0) {
+    derived.push_back({"bulk viscosity", scales.bulk_viscosity, "Pa s",
+                       "so that friction acts along the line of centres, for the torque on elastic solids"});
+  }
   derived.push_back({"smoothing length", scales.smoothing, "m", "half the kernel's reach"});
   derived.push_back({"particle mass", scales.mass * scales.depth, "kg", "density times what one particle fills"});
   return scales;

@@ -49,15 +49,16 @@ struct State {
   }
 
   // Only where something asked for them.
-  sph::Column<double>* scaling = nullptr;      // s_i of the friction
-  sph::Column<Mat>* correction = nullptr;      // [1] B_i of the difference form
-  sph::Column<Vec>* shift = nullptr;           // [m/s] dv, transport minus fluid velocity
-  sph::Column<Vec>* noise = nullptr;           // [m/s^1.5] velocity impulse per root of time
-  sph::Column<Vec>* driving = nullptr;         // [m/s^2] acceleration without friction, where that is implicit
-  sph::Column<Vec>* start_velocity = nullptr;  // [m/s] at the beginning of the step, likewise
-  sph::Column<Vec>* wall_velocity = nullptr;   // [m/s] of solids
-  sph::Column<Vec>* mean_shift = nullptr;      // [m] integral of dv over the interval
-  sph::Column<Vec>* mean_velocity = nullptr;   // [m] integral of v over the interval
+  sph::Column<double>* scaling = nullptr;         // s_i of the friction
+  sph::Column<Mat>* correction = nullptr;         // [1] B_i of the difference form
+  sph::Column<Vec>* shift = nullptr;              // [m/s] dv, transport minus fluid velocity
+  sph::Column<Vec>* noise = nullptr;              // [m/s^1.5] velocity impulse per root of time
+  sph::Column<Vec>* driving = nullptr;            // [m/s^2] acceleration without friction, where that is implicit
+  sph::Column<Vec>* start_velocity = nullptr;     // [m/s] at the beginning of the step, likewise
+  sph::Column<Vec>* wall_velocity = nullptr;      // [m/s] of solids
+  sph::Column<Vec>* wall_acceleration = nullptr;  // [m/s^2] of elastic solids
+  sph::Column<Vec>* mean_shift = nullptr;         // [m] integral of dv over the interval
+  sph::Column<Vec>* mean_velocity = nullptr;      // [m] integral of v over the interval
 
   Vec separation(std::size_t i, std::size_t j) const {
     Vec d = particles.position[i] - particles.position[j];

@@ -25,7 +25,7 @@ void Walls<D>::carry(State<D>& state, double t, double dt) const {
   auto& particles = state.particles;
 #pragma omp parallel for schedule(static) if (worth_threads(particles.size() / 4))
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.role[i] == sph::Role::fluid || !motion_.moves(particles.material[i])) continue;
+    if (particles.role[i] != sph::Role::wall || !motion_.moves(particles.material[i])) continue;
     const auto material = particles.material[i];
     particles.position[i] = motion_.carry(material, particles.position[i], t, dt);
     (*state.wall_velocity)[i] = motion_.surface_velocity(material, particles.position[i], t + dt);
@@ -79,7 +79,10 @@ void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
     double pressure = scales.background;
     if (sum > 0.0) {
       const auto material = state.particles.material[i];
-      const base::Vec<D> f = scales.body_force - motion_.acceleration(material, state.particles.position[i], t);
+      const bool elastic = state.particles.role[i] == sph::Role::solid;
+      const base::Vec<D> a =
+          elastic ? (*state.wall_acceleration)[i] : motion_.acceleration(material, state.particles.position[i], t);
+      const base::Vec<D> f = scales.body_force - a;
       pressure = (p_sum + f.dot(lever)) / sum;
     }
     state.pressure[i] = pressure;

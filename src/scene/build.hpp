@@ -53,10 +53,14 @@ void build_events(const Section& root, Draft& draft);
 void build_boundaries(const Section& root, Scene& scene);
 void build_inflows(const Section& root, Draft& draft);
 void build_flow(const Section& root, Draft& draft);
+void build_solids(const Section& root, Draft& draft);
 void build_effects(const Section& root, Scene& scene);
 void build_depth(const Section& root, Scene& scene);
 void build_observables(const Section& root, Scene& scene);
 void build_record(const Section& root, Scene& scene);
+
+// The entries of a list of velocities or formulas for them, one per axis.
+std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& section, const toml::node& list);
 
 // The shape that a table describes; null where it is absent or wrong.
 ShapePointer build_shape(const Section& section, int dimension);

@@ -41,7 +41,15 @@ std::string driver(const Scene& scene, const Asked& asked) {
   if (scene.flow.body_force) return "flow.body_force";
   if (!scene.flow.initial_velocity.empty()) return "flow.initial_velocity";
   for (const auto& material : scene.materials)
-    if (material.motion || material.surface_motion) return fmt::format("the moving wall {}", material.name);
+    if (material.type == MaterialType::wall && (material.motion || material.surface_motion))
+      return fmt::format("the moving wall {}", material.name);
+  const auto of_type = [&](MaterialType type) {
+    return std::find_if(scene.materials.begin(), scene.materials.end(),
+                        [&](const Material& material) { return material.type == type; });
+  };
+  const auto solid = of_type(MaterialType::solid);
+  if (solid != scene.materials.end() && of_type(MaterialType::fluid) != scene.materials.end())
+    return fmt::format("the solid {}", solid->name);
   for (const auto& axis : scene.domain.sides)
     for (const auto& side : axis)
       if (side.velocity != Point{}) return "a sliding side of the domain";
@@ -94,8 +102,9 @@ bool has_walls(const Scene& scene) {
   const bool sides = std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), [](const auto& axis) {
     return axis[0].type == SideType::wall || axis[1].type == SideType::wall;
   });
-  return sides || std::any_of(scene.materials.begin(), scene.materials.end(),
-                              [](const Material& material) { return material.type == MaterialType::wall; });
+  return sides || std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+           return material.type == MaterialType::wall || material.type == MaterialType::solid;
+         });
 }
 
 // Below this many spacings the kernel's sums are no longer those of a fluid.
@@ -125,6 +134,10 @@ void build_effects(const Section& root, Scene& scene) {
   for (const auto& [name, on] : effect_keys)
     if (asked.automatic(name)) scene.undecided.push_back(on);
   if (!effects.flow) {
+    if (why.starts_with("the solid"))
+      asked.error("flow", fmt::format("{} moves in a fluid, which then moves too; remove flow = false, or make the "
+                                      "fluid a still material",
+                                      why));
     for (const auto& [name, member] : of_flow) {
       if (asked.value(name) == true) asked.error(name, "needs effects.flow, which is off");
       effects.*member = false;

@@ -46,21 +46,21 @@ void read_targets(const Section& section, const Scene& scene, Inflow& inflow) {
   }
 }
 
-void read_initial_velocity(const Section& section, Draft& draft) {
-  const auto* list = section.good("initial_velocity");
-  if (!list || !list->is_array()) return;
-  for (const auto& entry : *list->as_array()) {
+}  // namespace
+
+std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& section, const toml::node& list) {
+  std::vector<Quantity> formulas;
+  for (const auto& entry : *list.as_array()) {
     const auto text = entry.value_or(std::string());
     if (looks_like_quantity(text)) {
-      draft.flow.initial_velocity.push_back({quantity_of(entry), ""});
+      formulas.push_back({quantity_of(entry), ""});
       continue;
     }
     check_formula(draft, section, "initial_velocity", entry, base::dimensions::speed, false);
-    draft.flow.initial_velocity.push_back({0, text});
+    formulas.push_back({0, text});
   }
+  return formulas;
 }
-
-}  // namespace
 
 void build_inflows(const Section& root, Draft& draft) {
   for (const auto& section : root.sections("inflow")) {
@@ -83,7 +83,8 @@ void build_flow(const Section& root, Draft& draft) {
   if (!section) return;
   Flow& flow = draft.flow;
   flow.body_force = section->point("body_force");
-  read_initial_velocity(*section, draft);
+  if (const auto* list = section->good("initial_velocity"); list && list->is_array())
+    flow.initial_velocity = velocity_formulas(draft, *section, *list);
   flow.reference_speed = section->quantity("reference_speed");
   flow.reference_length = section->quantity("reference_length");
   flow.sound_speed = section->quantity("sound_speed");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/build.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -13,6 +14,7 @@ struct TypeRules {
   const char* name;
   ObservableType type;
   bool species, profile;  // needs a species; runs along an axis
+  bool solid = false;     // belongs to solids
 };
 
 constexpr std::array types{TypeRules{"count", ObservableType::count, true, false},
@@ -23,7 +25,10 @@ constexpr std::array types{TypeRules{"count", ObservableType::count, true, false
                            TypeRules{"temperature", ObservableType::temperature, false, false},
                            TypeRules{"density_error", ObservableType::density_error, false, false},
                            TypeRules{"min_distance", ObservableType::min_distance, false, false},
-                           TypeRules{"velocity_profile", ObservableType::velocity_profile, false, true}};
+                           TypeRules{"velocity_profile", ObservableType::velocity_profile, false, true},
+                           TypeRules{"displacement", ObservableType::displacement, false, false, true},
+                           TypeRules{"elastic_energy", ObservableType::elastic_energy, false, false, true},
+                           TypeRules{"solid_energy", ObservableType::solid_energy, false, false, true}};
 
 constexpr std::size_t longest_name = 64;
 
@@ -53,7 +58,23 @@ void read_name(const Section& section, const Scene& scene, Observable& observabl
       return section.error("name", fmt::format("{} is taken by another observable; choose another", quoted(*name)));
 }
 
+void read_solid(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
+  if (!has_solids(scene))
+    section.error("type",
+                  fmt::format("\"{}\" belongs to a solid, and no material is one; remove the observable", rules.name));
+  if (section.has("species")) section.error("species", "a solid's motion has none; remove it");
+  if (const auto material = section.text("in"))
+    observable.material = material_index(scene, *material, section, "in", *section.find("in"));
+  if (observable.material >= 0 &&
+      scene.materials[static_cast<std::size_t>(observable.material)].type != MaterialType::solid)
+    section.error("in", "is not a solid; name one");
+  if (observable.type == ObservableType::displacement) return;
+  for (const char* key : {"in", "shape"})
+    if (section.has(key)) section.error(key, "energies are those of all solids; remove it");
+}
+
 void read_species(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
+  if (rules.solid) return read_solid(section, scene, rules, observable);
   if (!rules.species) {
     for (const char* key : {"species", "in"})
       if (section.has(key))
@@ -89,10 +110,10 @@ void read_profile(const Section& section, const Scene& scene, const TypeRules& r
     observable.bins =
         static_cast<int>(section.integer("bins").value_or(static_cast<std::int64_t>(std::clamp(spacings, 1.0, 1e6))));
   }
-  if (observable.type == ObservableType::velocity_profile)
+  if (observable.type == ObservableType::velocity_profile || observable.type == ObservableType::displacement)
     observable.component = read_axis(section, "component", scene.dimension);
   else if (section.has("component"))
-    section.error("component", "only a velocity profile has it; remove it");
+    section.error("component", "only a velocity profile or a displacement has it; remove it");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "scene/build.hpp"
 #include "scene/expression.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -57,7 +58,7 @@ void read_record(const Section& section, Scene& scene) {
   std::vector<std::string> known;
   for (const auto& species : scene.species) known.push_back(species.name);
   if (!scene.species.empty() && scene.compartments.empty()) known.emplace_back("volume");
-  if (scene.effects.flow) known.insert(known.end(), flow_fields.begin(), flow_fields.end());
+  if (in_motion(scene)) known.insert(known.end(), flow_fields.begin(), flow_fields.end());
   for (const auto& [name, node] : section.names("record")) {
     if (std::find(known.begin(), known.end(), name) != known.end()) {
       scene.run.record.push_back(name);

@@ -8,6 +8,7 @@
 
 #include "base/exact_solutions.hpp"
 #include "scene/build.hpp"
+#include "scene/motion.hpp"
 #include "scene/study_parts.hpp"
 
 namespace shmoo::scene {
@@ -111,7 +112,7 @@ StudyReference reference_of(const Section& section, const Study& study) {
 std::vector<std::string> field_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const auto& species : scene.species) names.push_back(species.name);
-  if (scene.effects.flow) names.insert(names.end(), {"velocity", "density", "pressure"});
+  if (in_motion(scene)) names.insert(names.end(), {"velocity", "density", "pressure"});
   return names;
 }
 
@@ -141,14 +142,18 @@ StudyNorm norm_of(const Section& section, std::string_view key, StudyNorm fallba
 void read_times(const Section& section, StudyQuantity& quantity) {
   if (const auto* node = section.good("time"))
     quantity.times = node->is_array() ? quantities_of(*node) : std::vector<double>{quantity_of(*node)};
-  const auto window = section.quantities("average");
-  if (window.size() == 2) quantity.average = {window[0], window[1]};
-  if (!quantity.average) return;
-  if (section.has("time")) section.error("average", "and 'time' are both given; give one");
-  if (section.has("field"))
-    section.error("average", "is taken of an observable only");
-  else if (window[0] >= window[1])
-    section.error("average", "the second time must be later than the first");
+  if (section.has("average") && section.has("period"))
+    section.error("period", "and 'average' are both given; give one");
+  for (const char* key : {"average", "period"}) {
+    const auto window = section.quantities(key);
+    if (window.size() != 2) continue;
+    (key == std::string_view("average") ? quantity.average : quantity.period) = {window[0], window[1]};
+    if (section.has("time")) section.error(key, "and 'time' are both given; give one");
+    if (section.has("field"))
+      section.error(key, "is taken of an observable only");
+    else if (window[0] >= window[1])
+      section.error(key, "the second time must be later than the first");
+  }
 }
 
 void read_published(const Section& section, const Study& study, StudyQuantity& quantity) {

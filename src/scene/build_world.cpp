@@ -7,6 +7,7 @@
 #include "base/units.hpp"
 #include "scene/build.hpp"
 #include "scene/check.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -43,7 +44,7 @@ std::optional<RigidMotion> motion_of(const Section& section, const std::string& 
                                             : "expected one quantity, not a list, in a scene of two dimensions");
     else
       motion.angular_velocity = dimension == 3 ? point_of(*node) : Point{0, 0, quantity_of(*node)};
-    if (!section.has("center")) section.error(turning, "needs 'center', the point that the wall turns round");
+    if (!section.has("center")) section.error(turning, "needs 'center', the point that it turns round");
   }
   return motion;
 }
@@ -62,17 +63,20 @@ Material material_of(const std::string& name, const Section& section, int dimens
     material.type = MaterialType::wall;
   else if (type == "still")
     material.type = MaterialType::still;
-  if (type && type != "fluid")
-    refuse_keys(section, {"density", "viscosity", "bulk_viscosity"}, "only a fluid has it; remove it");
+  else if (type == "solid")
+    material.type = MaterialType::solid;
+  if (type && type != "fluid") refuse_keys(section, {"viscosity", "bulk_viscosity"}, "only a fluid has it; remove it");
+  if (type && type != "fluid" && type != "solid")
+    refuse_keys(section, {"density"}, "only a fluid or a solid has it; remove it");
+  if (type && type != "wall" && type != "solid")
+    refuse_keys(section, {"velocity", "angular_velocity", "center"}, "only a wall or a solid has it; remove it");
   if (type && type != "wall")
-    refuse_keys(section, {"velocity", "angular_velocity", "surface_velocity", "surface_angular_velocity", "center"},
-                "only a wall has it; remove it");
+    refuse_keys(section, {"surface_velocity", "surface_angular_velocity"}, "only a wall has it; remove it");
   material.density = section.quantity("density").value_or(0);
   material.viscosity = section.quantity("viscosity").value_or(0);
   material.bulk_viscosity = section.quantity("bulk_viscosity").value_or(0);
-  if (type != "wall") return material;
-  material.motion = motion_of(section, "", dimension);
-  material.surface_motion = motion_of(section, "surface_", dimension);
+  if (type == "wall" || type == "solid") material.motion = motion_of(section, "", dimension);
+  if (type == "wall") material.surface_motion = motion_of(section, "surface_", dimension);
   return material;
 }
 
@@ -146,12 +150,17 @@ void check_extent(const Section& domain, const Scene& scene) {
 }
 
 void build_fill(const Section& domain, Scene& scene) {
+  const auto fills = [](const Material& one) {
+    return one.type == MaterialType::fluid || one.type == MaterialType::still;
+  };
+  const bool bare = has_solids(scene) && std::none_of(scene.materials.begin(), scene.materials.end(), fills);
   if (domain.has("material")) {
     const auto name = domain.text("material");
     if (name && *name != nothing)
       scene.domain.material = material_index(scene, *name, domain, "material", *domain.find("material"));
     return;
   }
+  if (bare) return;
   for (const MaterialType type : {MaterialType::fluid, MaterialType::still}) {
     std::vector<int> candidates;
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
@@ -238,11 +247,11 @@ void build_depth(const Section& root, Scene& scene) {
       root.error(key, fmt::format("a scene of dimension {} does not have it; {}", scene.dimension,
                                   right.empty() ? "remove it" : fmt::format("write '{}'", right)));
   scene.depth = right.empty() ? 1 : root.quantity(right).value_or(1);
-  if (!right.empty() && !root.has(right) && (fluid || !scene.species.empty()))
-    root.error(right,
-               fmt::format(
-                   "missing; where there are species or a fluid, a scene of dimension {} needs it: {}", scene.dimension,
-                   base::expectation(scene.dimension == 2 ? base::dimensions::length : base::dimensions::area)));
+  if (!right.empty() && !root.has(right) && (fluid || has_solids(scene) || !scene.species.empty()))
+    root.error(right, fmt::format(
+                          "missing; where there are species, a fluid or a solid, a scene of dimension {} needs it: {}",
+                          scene.dimension,
+                          base::expectation(scene.dimension == 2 ? base::dimensions::length : base::dimensions::area)));
 }
 
 }  // namespace shmoo::scene

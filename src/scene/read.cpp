@@ -35,6 +35,7 @@ void build(const Section& root, Draft& draft) {
   build_boundaries(root, draft);
   build_inflows(root, draft);
   build_flow(root, draft);
+  build_solids(root, draft);
   build_effects(root, draft);
   build_observables(root, draft);
   build_record(root, draft);

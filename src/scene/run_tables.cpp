@@ -77,25 +77,29 @@ Table numerics_table() {
 
 Table observable_table() {
   const Form axis = choice({"x", "y", "z"});
-  return {
-      "observable",
-      "[[observable]]",
-      "A number or profile that is recorded under its name.",
-      {{"name", {text("letters, digits, _ and -")}, true, "", "what it is called"},
-       {"type",
-        {choice({"count", "concentration", "profile", "kinetic_energy", "max_speed", "temperature", "density_error",
-                 "min_distance", "velocity_profile"})},
-        true,
-        "",
-        "count: molecules of a species; concentration: the same per volume; profile: the same along an axis; the "
-        "others "
-        "belong to the fluid"},
-       {"species", {text("the name of a species")}, false, "", "for count, concentration and profile"},
-       {"in", {text("the name of a material")}, false, "all in which it lives", "only in this material", Place::space},
-       {"axis", {axis}, false, "\"x\"", "along which a profile runs", Place::space},
-       {"component", {axis}, false, "\"x\"", "of a velocity profile", Place::space},
-       {"bins", {integer(1, 1000000)}, false, "one per spacing", "of a profile", Place::space}},
-      ShapeUse::optional};
+  return {"observable",
+          "[[observable]]",
+          "A number or profile that is recorded under its name.",
+          {{"name", {text("letters, digits, _ and -")}, true, "", "what it is called"},
+           {"type",
+            {choice({"count", "concentration", "profile", "kinetic_energy", "max_speed", "temperature", "density_error",
+                     "min_distance", "velocity_profile", "displacement", "elastic_energy", "solid_energy"})},
+            true,
+            "",
+            "count: molecules of a species; concentration: the same per volume; profile: the same along an axis; "
+            "displacement: mean over what started in `shape`, elastic_energy and solid_energy (elastic and kinetic) of "
+            "solids; the others belong to the fluid"},
+           {"species", {text("the name of a species")}, false, "", "for count, concentration and profile"},
+           {"in",
+            {text("the name of a material")},
+            false,
+            "all in which it lives",
+            "only in this material, or solid",
+            Place::space},
+           {"axis", {axis}, false, "\"x\"", "along which a profile runs", Place::space},
+           {"component", {axis}, false, "\"x\"", "of a velocity profile or a displacement", Place::space},
+           {"bins", {integer(1, 1000000)}, false, "one per spacing", "of a profile", Place::space}},
+          ShapeUse::optional};
 }
 
 Table run_table() {

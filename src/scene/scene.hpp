@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "scene/quantity.hpp"
 #include "scene/solid.hpp"
 
 namespace shmoo::scene {
@@ -54,10 +55,10 @@ struct RigidMotion {
 struct Material {
   std::string name;
   MaterialType type = MaterialType::fluid;
-  double density = 0;                           // [kg/m^3], fluids; 0 where the scene has no flow
+  double density = 0;                           // [kg/m^3], solids and fluids; 0 where the scene has no flow
   double viscosity = 0;                         // [Pa s], dynamic shear viscosity, fluids
   double bulk_viscosity = 0;                    // [Pa s], zeta, fluids
-  std::optional<RigidMotion> motion;            // walls: particles move
+  std::optional<RigidMotion> motion;            // walls, and the held part of solids: particles move
   std::optional<RigidMotion> surface_motion;    // walls: the surface slides, particles stay
   std::optional<Elastic> elastic{};             // solids
 };
@@ -95,13 +96,6 @@ struct Domain {
 // ---- chemistry -----------------------------------------------------------------------------------------------------
 // langevin: smooth amounts with the noise of the chemical Langevin equation; automatic: rules decide before anything runs
 enum class SpeciesMethod { deterministic, stochastic, langevin, automatic };
-
-// A number or an expression. Expressions see x, y, z [m], t [s], every parameter (SI) and, in rate laws, every species by
-// name as a concentration [molecules/m^3].
-struct Quantity {
-  double value = 0;        // SI
-  std::string expression;  // used where not empty
-};
 
 struct Species {
   std::string name;
@@ -265,7 +259,10 @@ enum class ObservableType {
   temperature,     // [J], kinetic kT of the fluid
   density_error,   // max |rho/rho0 - 1|
   min_distance,    // smallest distance of two fluid particles, in spacings
-  velocity_profile // mean velocity component along an axis, in bins
+  velocity_profile, // mean velocity component along an axis, in bins
+  displacement,    // [m] mean displacement component of what started in a material / shape, solids
+  elastic_energy,  // [J], solids
+  solid_energy     // [J], solids: elastic and kinetic
 };
 
 struct Observable {
@@ -275,7 +272,7 @@ struct Observable {
   int material = -1;    // -1: every home
   ShapePointer shape;   // null: everywhere
   int axis = 0;         // of a profile
-  int component = 0;    // of a velocity profile
+  int component = 0;    // of a velocity profile or a displacement
   int bins = 0;         // of a profile
 };
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "scene/quantity.hpp"
+
 namespace shmoo::scene {
 
 struct Shape;
@@ -36,8 +38,11 @@ struct Elastic {
   double poisson_ratio = 0;
   std::optional<Softening> softening;
   std::optional<Growth> growth;
-  std::shared_ptr<const Shape> fixed;        // particles that start inside never move
-  std::array<double, 3> initial_velocity{};  // [m/s]
+  std::shared_ptr<const Shape> fixed;       // particles that start inside are held, or follow the material's motion
+  std::vector<Quantity> initial_velocity;   // [m/s], one per axis; empty: at rest
+  std::array<double, 3> body_force{};       // [m/s^2], acceleration
+  double artificial_stress = 0.2;           // [1] of hooke_jaumann, against clumping in tension
+  double artificial_viscosity = 0.1;        // [1] of hooke_jaumann, Monaghan's alpha
 };
 
 // A species enters a solid's surface around the tip, the point of it that is farthest along x: dC/dt = rate w(s)

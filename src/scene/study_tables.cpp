@@ -75,7 +75,7 @@ Table level_table() {
 Table quantity_table() {
   return {"study_quantity",
           "[[quantity]]",
-          "What is measured. Without `time` and `average` it is taken at the last record.",
+          "What is measured. Without `time`, `average` and `period` it is taken at the last record.",
           {{"name", {text("letters, digits, _ and -")}, true, "", "what it is called"},
            {"field",
             {text("the name of a species or field")},
@@ -94,6 +94,12 @@ Table quantity_table() {
             false,
             "",
             "the mean of an observable over all records from the first time to the second"},
+           {"period",
+            {list({quantity(dimensions::time, not_negative)}, 2, 2)},
+            false,
+            "",
+            "the first period of an observable in the records from the first time to the second: between crossings, in "
+            "the same direction, of the middle between its extremes"},
            {"reference", {subtable("study_reference")}, true, "", "what it should be"},
            {"norm",
             {choice({"rms", "maximum", "root_sum_over_n"})},

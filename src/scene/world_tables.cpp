@@ -26,21 +26,21 @@ Table file_table() {
             {quantity(dimensions::length, positive)},
             false,
             "",
-            "2-D only: the thickness that a particle stands for; needed where there are species or a fluid",
+            "2-D only: the thickness that a particle stands for; needed where there are species, a fluid or a solid",
             Place::space},
            {"cross_section",
             {quantity(dimensions::area, positive)},
             false,
             "",
-            "1-D only: the area that a particle stands for; needed where there are species or a fluid",
+            "1-D only: the area that a particle stands for; needed where there are species, a fluid or a solid",
             Place::space},
            {"network",
-        {text("the path of an SBML file, from here")},
-        false,
-        "",
-        "an SBML network in place of what this file would say of it; what the file says itself goes before",
-        Place::well},
-       {"compartments",
+            {text("the path of an SBML file, from here")},
+            false,
+            "",
+            "an SBML network in place of what this file would say of it; what the file says itself goes before",
+            Place::well},
+           {"compartments",
             {named({subtable("compartment")}, "the name of a compartment")},
             true,
             "",
@@ -116,7 +116,7 @@ Table domain_table() {
        {"material",
         {text("the name of a material")},
         false,
-        "the only fluid, else the only still material",
+        "the only fluid, else the only still material; nothing where all is solid",
         "what fills all that no region covers; \"nothing\" for no particles"},
        {"jitter",
         {number({0, 0.5})},
@@ -149,27 +149,35 @@ Table side_table() {
 Table material_table() {
   const auto turning =
       std::vector<Form>{quantity(dimensions::frequency, any), list({quantity(dimensions::frequency, any)}, 3, 3)};
-  return {
+  Table table{
       "material",
       "[materials.NAME]",
-      "A fluid flows where the flow is on. A wall is rigid and does not slip. A still material never moves and does "
-      "not act "
-      "on a fluid: gels, slabs, wells of pure chemistry.",
-      {{"type", {choice({"fluid", "wall", "still"})}, true, "", "what kind of material it is"},
-       {"density", {quantity(dimensions::density, positive)}, false, "", "of a fluid; needed where the flow is on"},
+      "A fluid flows where the flow is on. A wall is rigid and does not slip. A solid is elastic; each is one body, "
+      "and "
+      "bodies feel each other through the fluid only. A still material never moves and does not act on a fluid: gels, "
+      "slabs, wells of pure chemistry.",
+      {{"type", {choice({"fluid", "wall", "solid", "still"})}, true, "", "what kind of material it is"},
+       {"density",
+        {quantity(dimensions::density, positive)},
+        false,
+        "",
+        "of a solid, and of a fluid where the flow is on; needed there"},
        {"viscosity",
         {quantity(dimensions::viscosity, positive)},
         false,
         "",
         "dynamic shear viscosity of a fluid; needed where the flow is on"},
        {"bulk_viscosity", {quantity(dimensions::viscosity, not_negative)}, false, "\"0 Pa s\"", "of a fluid"},
-       {"velocity", {velocity()}, false, "at rest", "of a wall whose particles move"},
+       {"velocity", {velocity()}, false, "at rest", "of a wall, or the held part of a solid, whose particles move"},
        {"angular_velocity", turning, false, "at rest",
-        "of a wall whose particles turn round `center`: one quantity in 2-D, three in 3-D"},
+        "of a wall, or the held part of a solid, whose particles turn round `center`: one quantity in 2-D, three in "
+        "3-D"},
        {"surface_velocity", {velocity()}, false, "at rest", "of a wall whose surface slides while its particles stay"},
        {"surface_angular_velocity", turning, false, "at rest",
         "of a wall whose surface turns round `center` while its particles stay"},
        {"center", {position()}, false, "", "what an angular velocity turns round"}}};
+  for (Key& key : solid_keys()) table.keys.push_back(std::move(key));
+  return table;
 }
 
 Table region_table() {

@@ -52,8 +52,9 @@ struct Numbers {
   double length = 0;              // [m] of the fluid, else the smallest extent of the domain
   std::size_t voxels = 0, particles = 0;
   int dimension = 0;
-  bool walls = false;  // anything that a fluid cannot pass
-  FlowNumbers flow;    // where the scene's flow is on
+  bool walls = false;                                           // anything that a fluid cannot pass
+  FlowNumbers flow;                                             // where the scene's flow is on
+  double solid_step = std::numeric_limits<double>::infinity();  // [s] the time step of elastic solids
   std::vector<SpeciesNumbers> species;
 
   double peclet(const SpeciesNumbers& one) const { return flow.speed * length / one.diffusivity; }

@@ -35,6 +35,22 @@ Limit flow_time(const scene::Scene& scene, const Numbers& numbers, const Pace& p
           "arithmetic: time over step, times particles, over pace"};
 }
 
+Limit solid_time(const scene::Scene& scene, const Numbers& numbers, const Pace& pace) {
+  const double steps = scene.run.until / numbers.solid_step;
+  const double seconds = steps * double(numbers.voxels) / pace.particle_steps;
+  return {"days of computing the solids",
+          seconds / day,
+          1.0,
+          year / day,
+          fmt::format("{:.3g} s at {:.3g} s a step (elastic waves) are {:.3g} steps, x {} particles at {:.2g} "
+                      "particle-steps a second ({}) are {:.3g} days",
+                      scene.run.until, numbers.solid_step, steps, numbers.voxels, pace.particle_steps, whose(pace),
+                      seconds / day),
+          fmt::format("set run.until to at most {:.2g} s",
+                      numbers.solid_step * pace.particle_steps * day / double(numbers.voxels)),
+          "arithmetic: time over step, times particles, over pace"};
+}
+
 // Diffusive jumps on a lattice of nearest neighbours, 2 D kappa/h^2 a molecule, and reactions.
 double event_rate(const scene::Scene& scene, const Numbers& numbers) {
   double rate = 0.0;  // [1/s]
@@ -64,6 +80,8 @@ Limit event_time(const scene::Scene& scene, const Numbers& numbers, const Pace& 
 
 void judge_run_limits(const scene::Scene& scene, const Numbers& numbers, const Pace& pace, std::vector<Limit>& limits) {
   if (scene.effects.flow && std::isfinite(numbers.flow.step)) limits.push_back(flow_time(scene, numbers, pace));
+  if (std::isfinite(numbers.solid_step) && scene.mechanics.motion == scene::Motion::dynamic)
+    limits.push_back(solid_time(scene, numbers, pace));
   if (!rdme::takes_turns(scene.numerics.sampler) && event_rate(scene, numbers) > 0.0)
     limits.push_back(event_time(scene, numbers, pace));
 }

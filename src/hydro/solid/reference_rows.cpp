@@ -42,7 +42,8 @@ ReferenceRows<D> make_reference_rows(std::span<const base::Vec<D>> X, std::span<
       const double r = apart.norm(), w = volume[j] * kernel.W(r);
       rows.neighbour.push_back(j);
       rows.separation.push_back(apart);
-      rows.gradient.push_back(volume[j] * kernel.F(r) * apart);
+      rows.steepness.push_back(volume[j] * kernel.F(r));
+      rows.gradient.push_back(rows.steepness.back() * apart);
       rows.weight.push_back(w);
       moment += rows.gradient.back() * apart.transpose();
       total += w;
@@ -50,6 +51,7 @@ ReferenceRows<D> make_reference_rows(std::span<const base::Vec<D>> X, std::span<
     const auto spread = Eigen::SelfAdjointEigenSolver<base::Mat<D>>(moment, Eigen::EigenvaluesOnly).eigenvalues();
     if (!(spread[0] > flat * spread[D - 1])) refuse<D>(X[i], reach, rows.neighbour.size() - begin);
     const base::Mat<D> correction = moment.inverse();
+    rows.correction.push_back(correction);
     for (std::size_t p = begin; p < rows.neighbour.size(); ++p) {
       rows.gradient[p] = correction * rows.gradient[p];
       rows.weight[p] /= total;

@@ -20,6 +20,8 @@ struct ReferenceRows {
   std::vector<Vec> separation;           // [pairs] [m] X_j - X_i
   std::vector<Vec> gradient;             // [pairs] [1/m] g_ij: grad f(X_i) = sum_j (f_j - f_i) g_ij
   std::vector<double> weight;            // [pairs] V_j W_ij/sum_k V_k W_ik, which add up to 1
+  std::vector<double> steepness;         // [pairs] [1/m^2] V_j F_ij, so that g_ij = B_i steepness separation
+  std::vector<base::Mat<D>> correction;  // [particles] B_i
 
   std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
 

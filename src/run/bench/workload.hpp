@@ -27,6 +27,7 @@ std::vector<Workload> chemistry_workloads();
 std::vector<Workload> geometry_workloads();
 std::vector<Workload> smooth_workloads();  // of chemistry
 std::vector<Workload> flow_workloads();
+std::vector<Workload> solid_workloads();
 
 double allocated_bytes();  // on the heap, now
 

@@ -81,6 +81,37 @@ void add_average(const ResultFile& result, const Entry& entry, const Course& cou
   if (n > 1) sample.variance.push_back(squares / double(n - 1));
 }
 
+// From the first crossing of the middle between the extremes to the next one in the same direction, between records
+// along a straight line; of the mean over realisations.
+void add_period(const ResultFile& result, const Entry& entry, const Course& course, const std::array<double, 2>& window,
+                Sample& sample) {
+  if (entry.cells() != 1) throw base::RunError(fmt::format("{} is a profile; only a number has a period", entry.name));
+  std::vector<double> time, value;
+  for (std::size_t t = 0; t < result.times.size(); ++t) {
+    if (result.times[t] < window[0] || result.times[t] > window[1]) continue;
+    time.push_back(result.times[t]);
+    value.push_back(course.all.mean[t]);
+  }
+  if (time.empty()) throw base::RunError("no record lies in the window of the period");
+  const auto [low, high] = std::minmax_element(value.begin(), value.end());
+  const double middle = 0.5 * (*low + *high);
+  std::array<std::vector<double>, 2> crossing;  // downwards, upwards
+  for (std::size_t t = 1; t < time.size(); ++t) {
+    const double before = value[t - 1] - middle, after = value[t] - middle;
+    if ((before < 0.0) == (after < 0.0)) continue;
+    crossing[before < 0.0].push_back(time[t - 1] + (time[t] - time[t - 1]) * before / (before - after));
+  }
+  double period = std::numeric_limits<double>::infinity(), begin = period;
+  for (const auto& way : crossing) {
+    if (way.size() < 2 || way[0] > begin) continue;
+    begin = way[0];
+    period = way[1] - way[0];
+  }
+  if (!std::isfinite(period))
+    throw base::RunError(fmt::format("{} does not swing through a whole period in the window", entry.name));
+  add_place(sample, 0, 0, 0, begin + period, period);
+}
+
 double mean_of(const std::vector<std::uint64_t>& values) {
   double sum = 0.0;
   for (const auto value : values) sum += double(value);
@@ -99,6 +130,10 @@ Sample take(const ResultFile& result, const scene::StudyQuantity& quantity) {
   const auto course = result.course(entry);
   if (quantity.average) {
     add_average(result, entry, course, *quantity.average, sample);
+    return sample;
+  }
+  if (quantity.period) {
+    add_period(result, entry, course, *quantity.period, sample);
     return sample;
   }
   for (const auto time : records(result, quantity.times))

@@ -70,6 +70,7 @@ int run_bench(const Wish& wish) {
   for (auto& work : bench::geometry_workloads()) all.push_back(std::move(work));
   for (auto& work : bench::smooth_workloads()) all.push_back(std::move(work));
   for (auto& work : bench::flow_workloads()) all.push_back(std::move(work));
+  for (auto& work : bench::solid_workloads()) all.push_back(std::move(work));
   refuse_unknown(wish.workloads, &bench::Workload::name, "workload", all);
   refuse_unknown(wish.methods, &bench::Workload::method, "method", all);
   const double seconds = seconds_of(wish);

@@ -58,7 +58,7 @@ class ExperimentOf final : public Experiment {
   std::vector<std::string> notes() const override { return notes_; }
 
   bool prepare(RecordSink& sink, const Progress& progress) override {
-    if (!flow_random_) {
+    if (!own_flow_) {
       auto timeline = make_timeline({scene_->run.seed, 0});
       start_ = timeline->start();
       if (timeline->start_picture()) recorder_.flow(0, *timeline->start_picture(), sink);
@@ -77,7 +77,7 @@ class ExperimentOf final : public Experiment {
   }
 
   std::vector<double> activity(const std::function<bool()>& stop) const override {
-    if (scene_->effects.flow || !has_chemistry_ || !random() || !start_) return {};
+    if (scene::in_motion(*scene_) || !has_chemistry_ || !random() || !start_) return {};
     std::array<double, 3> period{};
     for (int a = 0; a < D; ++a) period[std::size_t(a)] = filling_.box.periodic[a] ? filling_.box.size()[a] : 0.0;
     return foretell_activity(*scene_, start_->ground()->voxels, period, stop);
@@ -98,9 +98,10 @@ class ExperimentOf final : public Experiment {
         stages_(geometry_, *scene_, network_),
         has_chemistry_(network_.species() > 0),
         flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),
+        own_flow_(flow_random_ || scene::acts_back(*scene_)),
         step_(splitting_step(*scene_, network_, reference)),
         recorder_(*scene_, network_, geometry_.material(), lattice_cells(filling_), record_times(scene_->run),
-                  !random(), !flow_random_) {
+                  !random(), !(own_flow_ && random())) {
     if (has_chemistry_) derived_.push_back({"splitting_step", step_.value, "s", step_.why});
     if (has_chemistry_ && step_.error > 0.0) derived_.push_back(splitting_error(step_));
     if (scene::in_motion(*scene_)) {
@@ -148,11 +149,13 @@ class ExperimentOf final : public Experiment {
   // One realisation, from its first molecule to its last record.
   bool tell(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) const {
     const base::RandomKey key{scene_->run.seed, k};
-    const auto own_flow = flow_random_ ? make_timeline(key) : nullptr;
+    const auto own_flow = own_flow_ ? make_timeline(key) : nullptr;
+    const bool acts_back = scene::acts_back(*scene_);
     Chemistry chemistry(*scene_, network_, key);
     if (has_chemistry_) {
       const auto start = own_flow ? own_flow->start() : start_;
       chemistry.begin(start->ground());
+      if (acts_back) own_flow->feel(network_, chemistry.state());
       recorder_.chemistry(0, chemistry.state(), start->frame(), sink);
       if (own_flow) recorder_.volume(0, start->frame(), sink);
     }
@@ -161,6 +164,7 @@ class ExperimentOf final : public Experiment {
       if (progress.stop && progress.stop()) return false;
       if (has_chemistry_) {
         chemistry.advance(interval.stage->ground(), interval.begin, interval.end - interval.begin, interval.number);
+        if (acts_back) own_flow->feel(network_, chemistry.state());
       }
       if (interval.record >= 0) {
         const auto time = std::size_t(interval.record);
@@ -181,6 +185,7 @@ class ExperimentOf final : public Experiment {
   Geometry<D> geometry_;
   StageBuilder<D> stages_;
   bool has_chemistry_, flow_random_;
+  bool own_flow_;  // every realisation has a flow of its own: it is random, or its species act back on it
   Step step_;
   Recorder<D> recorder_;
   std::vector<Derived> derived_;

@@ -28,7 +28,13 @@ class FluidInMotion final : public LiveFlow<D> {
         speed > 0.0 ? most_movement * fluid_.scales().spacing / speed : std::numeric_limits<double>::infinity();
     // A slow flow is steady long before its particles have moved: look often while that can be expected.
     const bool settling = tolerance_ && fluid_.time() < most_looks * window_;
-    return settling ? std::min(by_motion, window_) : by_motion;
+    const double longest =
+        fluid_.solids().soften() ? std::min(by_motion, steps_between_feelings * fluid_.dt()) : by_motion;
+    return settling ? std::min(longest, window_) : longest;
+  }
+
+  void feel(const std::function<double(int, std::uint32_t)>& concentration) override {
+    fluid_.solids().soften(concentration);
   }
 
   void advance(double until, Frame<D>* frame) override {

@@ -1,6 +1,7 @@
 #pragma once
 // The one place where the coupling meets what moves: a fluid or solids in motion, told by persistent id and for voxels
 // only.
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,7 +13,8 @@
 
 namespace shmoo::coupling {
 
-inline constexpr double most_movement = 0.25;       // [spacings] of a particle in one interval
+inline constexpr double most_movement = 0.25;          // [spacings] of a particle in one interval
+inline constexpr double steps_between_feelings = 100;  // of the motion, where species act back on it
 inline constexpr double part_of_time_scale = 0.25;  // of the flow's shortest, between two looks at whether it is steady
 
 template <int D>
@@ -25,6 +27,9 @@ class LiveFlow {
 
   // To time `until` exactly [s]. Where `frame` is not null it receives the mean positions, arrivals and mean drift.
   virtual void advance(double until, Frame<D>* frame) = 0;
+
+  // What species do to the motion, where they do (softening). `concentration(species, id)` [1/m^3].
+  virtual void feel(const std::function<double(int, std::uint32_t)>& concentration) = 0;
 
   virtual void picture(FlowPicture<D>& picture) const = 0;
 

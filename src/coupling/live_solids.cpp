@@ -15,8 +15,12 @@ class SolidsInMotion final : public LiveFlow<D> {
 
   double interval() const override {
     const double speed = solids_.max_speed();
-    return speed > 0.0 ? most_movement * spacing_ / speed : std::numeric_limits<double>::infinity();
+    const double longest =
+        solids_.soften() ? steps_between_feelings * solids_.step_limit() : std::numeric_limits<double>::infinity();
+    return speed > 0.0 ? std::min(longest, most_movement * spacing_ / speed) : longest;
   }
+
+  void feel(const std::function<double(int, std::uint32_t)>& concentration) override { solids_.soften(concentration); }
 
   void advance(double until, Frame<D>* frame) override {
     if (frame) frame->position = place_;

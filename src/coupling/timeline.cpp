@@ -48,6 +48,15 @@ bool Timeline<D>::run(const std::function<bool(const Interval<D>&)>& visit) {
 }
 
 template <int D>
+void Timeline<D>::feel(const rdme::Network& network, const rdme::State& state) {
+  flow_->feel([&](int species, std::uint32_t id) {
+    const std::size_t entry = id * state.species + std::size_t(species);
+    const double amount = network.stochastic(species) ? double(state.count[entry]) : state.amount[entry];
+    return amount / (capacity_[id] * scene_.depth);
+  });
+}
+
+template <int D>
 Interval<D> Timeline<D>::next(double t, double target) {
   if (flow_ && steady_since_ < 0.0 && flow_->steady()) freeze(t);
   if (flow_ && steady_since_ < 0.0) return next_moving(t, target);

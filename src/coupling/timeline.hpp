@@ -12,6 +12,7 @@
 #include "coupling/live_flow.hpp"
 #include "coupling/splitting.hpp"
 #include "coupling/stage.hpp"
+#include "rdme/state.hpp"
 
 namespace shmoo::coupling {
 
@@ -37,6 +38,9 @@ class Timeline {
 
   // Calls visit(interval) for all intervals; stops early, returning false, where visit returns false.
   bool run(const std::function<bool(const Interval<D>&)>& visit);
+
+  // Tells what moves of the species, where these act back on it: amounts as they are at the end of an interval.
+  void feel(const rdme::Network& network, const rdme::State& state);
 
   // When the flow was found steady [s]; negative: never.
   double steady_since() const { return steady_since_; }

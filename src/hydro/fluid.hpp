@@ -45,6 +45,7 @@ class Fluid {
   const base::Box<D>& box() const { return state_.box; }
   const Scales<D>& scales() const { return state_.scales; }
   const Solids<D>& solids() const { return solids_.solids(); }
+  Solids<D>& solids() { return solids_.solids(); }
   // Takes positions, velocities and densities as they now are in the store as the state to go on from.
   void restart();
 

@@ -1,6 +1,7 @@
 // Elastic solids: what their materials have besides type, density and the motion of what is held.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/units.hpp"
@@ -32,6 +33,23 @@ void read_initial_velocity(const Section& section, const Draft& draft, Elastic& 
   if (list && list->is_array()) elastic.initial_velocity = velocity_formulas(draft, section, *list);
 }
 
+std::optional<Softening> read_softening(const Section& section, const Draft& draft, const Material& material) {
+  const auto table = section.section("softening");
+  if (!table) return std::nullopt;
+  Softening softening;
+  softening.coefficient = table->quantity("coefficient").value_or(0);
+  softening.least = table->number("least").value_or(softening.least);
+  const auto name = table->text("species");
+  softening.species = name ? species_index(draft, *name, *table, "species", *table->find("species")) : -1;
+  if (softening.species < 0) return std::nullopt;
+  const auto& homes = draft.species[std::size_t(softening.species)].homes;
+  const auto lives = [&](int home) { return draft.materials[std::size_t(home)].name == material.name; };
+  if (std::none_of(homes.begin(), homes.end(), lives))
+    table->error("species",
+                 fmt::format("{} does not live in {}; add it to species.{}.in", *name, material.name, *name));
+  return softening;
+}
+
 Elastic elastic_of(const Section& section, const Draft& draft, const Material& material) {
   Elastic elastic;
   read_choice(
@@ -47,6 +65,7 @@ Elastic elastic_of(const Section& section, const Draft& draft, const Material& m
                   "missing; a velocity moves the held part of a solid, so give its shape; what a free solid "
                   "starts with is 'initial_velocity'");
   read_initial_velocity(section, draft, elastic);
+  elastic.softening = read_softening(section, draft, material);
   elastic.body_force = section.point("body_force").value_or(Point{});
   for (const char* key : {"artificial_stress", "artificial_viscosity"})
     if (section.has(key) && elastic.law != ElasticLaw::hooke_jaumann)

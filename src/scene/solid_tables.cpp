@@ -36,6 +36,11 @@ std::vector<Key> solid_keys() {
        false,
        "none",
        "acceleration of a whole solid, such as its weight"},
+      {"softening",
+       {subtable("softening")},
+       false,
+       "none",
+       "of a solid: its shear modulus falls with a species that lives in it"},
       {"artificial_stress",
        {number({0, 1})},
        false,
@@ -46,6 +51,20 @@ std::vector<Key> solid_keys() {
        false,
        "0.1",
        "of a solid with law \"hooke-jaumann\": Monaghan's alpha"}};
+}
+
+Table softening_table() {
+  return {"softening",
+          "materials.NAME.softening",
+          "The shear modulus G0 max(least, 1 - coefficient C), C the concentration where the particle is now. The bulk "
+          "modulus stays.",
+          {{"species", {text("the name of a species")}, true, "", "what softens"},
+           {"coefficient",
+            {quantity(base::power(dimensions::concentration, -1), not_negative)},
+            true,
+            "",
+            "such as \"0.99 m^3/mol\""},
+           {"least", {number({0, 1, true, false})}, false, "0.01", "what is left of G0 at most softened"}}};
 }
 
 }  // namespace shmoo::scene

@@ -8,6 +8,7 @@ namespace shmoo::scene {
 
 std::vector<Table> world_tables();      // the file itself, domain, materials, regions
 std::vector<Table> chemistry_tables();  // parameters, species, reactions, boundaries
+Table softening_table();                // of solids
 std::vector<Key> solid_keys();          // of materials that are solids
 std::vector<Table> flow_tables();       // inflow, flow, effects
 std::vector<Table> run_tables();        // numerics, observables, run

@@ -216,7 +216,8 @@ std::vector<Key> half_space_keys() {
 }  // namespace
 
 std::vector<Table> world_tables() {
-  return {file_table(), domain_table(), sides_table(), side_table(), material_table(), region_table(), part_table()};
+  return {file_table(),     domain_table(),    sides_table(),  side_table(),
+          material_table(), softening_table(), region_table(), part_table()};
 }
 
 const std::vector<ShapeTable>& shape_tables() {

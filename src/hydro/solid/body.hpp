@@ -23,6 +23,8 @@ struct Body {
   double bulk = 0;               // [Pa] K
   Vec body_force = Vec::Zero();  // [m/s^2]
 
+  std::optional<scene::Softening> softening;
+
   std::vector<std::uint32_t> id;
   std::vector<Vec> start;         // [m]
   std::vector<Vec> displacement;  // [m]
@@ -30,7 +32,7 @@ struct Body {
   std::vector<Vec> force;         // [N/m^(3-D)] of elasticity
   std::vector<Vec> traction;      // [N/m^(3-D)] of the fluid
   std::vector<bool> held;         // follows the motion of its material
-  std::vector<double> softness;   // [1] G/G0; empty: 1
+  std::vector<double> softness;   // [1] G/G0, where a species softens; empty: 1
 
   std::size_t size() const { return id.size(); }
   double mass() const { return density * volume; }

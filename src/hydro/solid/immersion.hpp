@@ -16,6 +16,7 @@ class Immersion {
   Immersion(const scene::Scene& scene, const sph::Filling<D>& filling);
 
   const Solids<D>& solids() const { return solids_; }
+  Solids<D>& solids() { return solids_; }
   bool empty() const { return solids_.empty(); }
 
   // The columns that solids bring, and what they show at the start. Throws base::InputError where the scene asks for
@@ -44,7 +45,7 @@ class Immersion {
   Solids<D> solids_;
   std::vector<std::vector<std::uint32_t>> place_;  // of each body's particles in the store
   std::vector<std::vector<Vec>> acceleration_;     // [m/s^2] smoothed
-  double room_ = 0;  // [m^D] of fluid and solids together; 0: the box is not closed
+  double room_ = 0;                                // [m^D] of fluid and solids together; 0: the box is not closed
 };
 
 extern template class Immersion<2>;

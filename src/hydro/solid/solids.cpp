@@ -31,6 +31,7 @@ Body<D> body_of(const scene::Material& material, std::size_t index, const sph::F
   body.spacing = std::pow(filling.cell, 1.0 / D);
   body.volume = filling.cell;
   body.shear = elastic.shear_modulus;
+  body.softening = elastic.softening;
   body.bulk = moduli(elastic.shear_modulus, elastic.poisson_ratio).bulk;
   for (int a = 0; a < D; ++a) body.body_force[a] = elastic.body_force[std::size_t(a)];
   return body;
@@ -88,6 +89,21 @@ void Solids<D>::advance(double t, double dt) {
       kick(bodies_[b], 0.5 * step);
     }
     t = parts == 1.0 ? end : t + step;
+  }
+}
+
+template <int D>
+bool Solids<D>::soften() const {
+  return std::any_of(bodies_.begin(), bodies_.end(), [](const Body<D>& body) { return body.softening.has_value(); });
+}
+
+template <int D>
+void Solids<D>::soften(const std::function<double(int, std::uint32_t)>& concentration) {
+  for (Body<D>& body : bodies_) {
+    if (!body.softening) continue;
+    body.softness.resize(body.size());
+    for (std::size_t i = 0; i < body.size(); ++i)
+      body.softness[i] = softened(1.0, *body.softening, concentration(body.softening->species, body.id[i]));
   }
 }
 

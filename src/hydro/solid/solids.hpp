@@ -1,6 +1,7 @@
 #pragma once
 // The elastic bodies of a scene in motion: leapfrog steps between the impulses that a fluid, where there is one, gives
 // them. Results are bit-identical for any number of threads.
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -30,6 +31,11 @@ class Solids {
   void advance(double t, double dt);
   // The traction acts for this long [s] at once.
   void push(double dt);
+
+  // Whether a species softens any body; and its modulus where that species has concentration(species, id) [1/m^3] at
+  // the particle with this id.
+  bool soften() const;
+  void soften(const std::function<double(int, std::uint32_t)>& concentration);
 
   Vec position(const Body<D>& body, std::size_t particle) const;  // [m], inside the box along periodic axes
   double density(const Body<D>& body, std::size_t particle) const;

@@ -91,6 +91,7 @@ TEST(Immersion, StiffBodiesTakeShorterStepsThanTheFluid) {
 
 TEST(Immersion, RefusesWhatItCannotDo) {
   EXPECT_THROW(fluid_of(disk("1 kg/m^3", "", "[numerics]\npressure = \"difference\"\n")), base::InputError);
+  EXPECT_THROW(fluid_of(disk("1 kg/m^3", "", "[numerics]\nviscous_step = \"implicit\"\n")), base::InputError);
   auto noisy = disk("1 kg/m^3", "", "[effects]\nthermal_noise = true\ntransport_velocity = false\n");
   noisy.replace(noisy.find("[flow]"), 6, "[flow]\nthermal_energy = \"1e-6 J\"");
   EXPECT_THROW(fluid_of(noisy), base::InputError);

@@ -39,6 +39,7 @@ HookeJaumann<D>::HookeJaumann(const Body<D>& body, const base::Box<D>& box, cons
       density_(body.size(), body.density),
       compression_(body.size(), 1.0),
       deviator_(body.size(), Mat::Zero()),
+      correction_(body.size(), Mat::Identity()),
       pull_(body.size(), Mat::Zero()),
       repulsion_(body.size(), Mat::Zero()) {}
 
@@ -77,7 +78,8 @@ void HookeJaumann<D>::strain(const Body<D>& body, const Kernel& kernel, double d
       moment += Fx * x.transpose();
       raw += (body.velocity[i] - body.velocity[j]) * Fx.transpose();
     }
-    const Mat gradient = moment.determinant() > least_moment ? Mat(raw * moment.inverse()) : raw;
+    correction_[i] = moment.determinant() > least_moment ? Mat(moment.inverse()) : Mat(Mat::Identity());
+    const Mat gradient = raw * correction_[i];
     compression_[i] = 1.0 - dt * gradient.trace();
     const Mat eps = 0.5 * (gradient + gradient.transpose()), half_turn = 0.25 * dt * (gradient - gradient.transpose());
     // The turn in the time step, as a rotation to the last bit (Hughes & Winget 1980, Int. J. Numer. Meth. Eng. 15,
@@ -93,7 +95,7 @@ template <int D>
 void HookeJaumann<D>::set_pull(const Body<D>& body, std::size_t i) {
   const double rho2 = density_[i] * density_[i];
   const Mat sigma = deviator_[i] - pressure(body, i) * Mat::Identity();
-  pull_[i] = sigma / rho2;
+  pull_[i] = sigma * correction_[i] / rho2;
   if (artificial_stress_ > 0.0) repulsion_[i] = against_tension<D>(sigma, artificial_stress_ / rho2);
 }
 

@@ -4,7 +4,7 @@
 // Methods Appl. Mech. Eng. 190, 6641; sph-bvf Eqs. 17-22 with their signs and traces put right):
 //
 //   dS/dt = 2 G (eps - tr eps/3) + w S - S w,  d rho/dt = -rho tr eps,  sigma = S - K (rho/rho0 - 1),
-//   dv_i/dt = sum_j m_j [sigma_i/rho_i^2 + sigma_j/rho_j^2 + (W_ij/W(dp))^4 (R_i + R_j) - Pi_ij] grad_i W_ij.
+//   dv_i/dt = sum_j m_j [sigma_i B_i/rho_i^2 + sigma_j B_j/rho_j^2 + (W_ij/W(dp))^4 (R_i + R_j) - Pi_ij] grad_i W_ij.
 //
 // eps and w are the symmetric and the skew part of the velocity's gradient, here with corrected kernel gradients, so
 // that a turning body is not strained. In two dimensions S_zz = -(S_xx + S_yy) is kept and K is that of three. R_i
@@ -49,7 +49,8 @@ class HookeJaumann final : public Elasticity<D> {
   std::vector<Vec> position_, listed_at_;      // [m]
   std::vector<double> density_, compression_;  // [kg/m^3], [1] its factor in a step
   std::vector<Mat> deviator_;                  // [Pa] S
-  std::vector<Mat> pull_, repulsion_;          // [Pa m^6/kg^2] sigma/rho^2, R
+  std::vector<Mat> correction_;                // [1] B of the kernel's gradient
+  std::vector<Mat> pull_, repulsion_;          // [Pa m^6/kg^2] sigma B/rho^2, R
 };
 
 extern template class HookeJaumann<2>;

@@ -71,7 +71,7 @@ Elastic elastic_of(const Section& section, const Draft& draft, const Material& m
     if (section.has(key) && elastic.law != ElasticLaw::hooke_jaumann)
       section.error(key, "only the law \"hooke-jaumann\" has it; remove it");
   elastic.artificial_stress = section.number("artificial_stress").value_or(elastic.artificial_stress);
-  elastic.artificial_viscosity = section.number("artificial_viscosity").value_or(elastic.artificial_viscosity);
+  elastic.artificial_viscosity = section.number("artificial_viscosity").value_or(1.0);
   return elastic;
 }
 

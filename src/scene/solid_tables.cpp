@@ -49,8 +49,8 @@ std::vector<Key> solid_keys() {
       {"artificial_viscosity",
        {number({0, 10})},
        false,
-       "0.1",
-       "of a solid with law \"hooke-jaumann\": Monaghan's alpha"}};
+       "1",
+       "of a solid with law \"hooke-jaumann\": Monaghan's alpha; with artificial stress less than about 1 lets it clatter"}};
 }
 
 Table softening_table() {

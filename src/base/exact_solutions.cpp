@@ -51,6 +51,22 @@ double channel_flow(const Point& x, double t, Values p) {
   return u;
 }
 
+// The x component of the velocity between concentric cylinders of which the inner one turns, A r + B/r round the
+// centre. G. K. Batchelor, An Introduction to Fluid Dynamics (Cambridge, 1967), section 4.5.
+double circular_couette(const Point& x, double, Values p) {
+  const double inner = p[0] * p[0], outer = p[1] * p[1], rate = p[2] / p[0];
+  const double A = -rate * inner / (outer - inner), B = rate * inner * outer / (outer - inner);
+  const double dx = x[0] - p[3], dy = x[1] - p[4];
+  return -(A + B / (dx * dx + dy * dy)) * dy;
+}
+
+// The x component of plane Couette flow between walls that rise by `rise` over `run` and stand the `width` apart, the
+// upper one sliding; the pattern repeats after the `period` across the walls.
+double inclined_couette(const Point& x, double, Values p) {
+  const double length = std::hypot(p[0], p[1]), across = (p[0] * x[1] - p[1] * x[0]) / length;
+  return p[4] * p[0] / length * (across - p[3] * std::floor(across / p[3])) / p[2];
+}
+
 // u = -U cos kx sin ky, v = U sin kx cos ky with k = 2 pi/L decays as exp(-2 k^2 nu t). G. I. Taylor and A. E. Green,
 // Proc. R. Soc. A 158 (1937) 499, in two dimensions.
 double taylor_green_speed(const Point&, double t, Values p) {
@@ -85,6 +101,16 @@ const std::vector<ExactSolution>& exact_solutions() {
        speed,
        {{"width", length}, {"acceleration", acceleration}, {"viscosity", viscosity}, {"density", density}},
        channel_flow},
+      {"circular_couette",
+       "u_x(x, y) between concentric cylinders, the inner one turning, the outer one at rest",
+       speed,
+       {{"inner_radius", length}, {"outer_radius", length}, {"inner_speed", speed}, {"x", length}, {"y", length}},
+       circular_couette},
+      {"inclined_couette",
+       "u_x(x, y) between inclined walls through the origin and a width above, the upper one sliding",
+       speed,
+       {{"run", length}, {"rise", length}, {"width", length}, {"period", length}, {"speed", speed}},
+       inclined_couette},
       {"taylor_green_speed",
        "the largest speed of decaying Taylor-Green vortices in the periodic square",
        speed,

@@ -1,5 +1,7 @@
 #include "coupling/chemistry.hpp"
 
+#include <utility>
+
 namespace shmoo::coupling {
 
 Chemistry::Chemistry(const scene::Scene& scene, const rdme::Network& network, const base::RandomKey& key)
@@ -22,7 +24,7 @@ void Chemistry::begin(std::shared_ptr<const Ground> ground) {
 
 void Chemistry::bind(std::shared_ptr<const Ground> ground) {
   if (ground == ground_) return;
-  ground_ = std::move(ground);
+  const auto before = std::exchange(ground_, std::move(ground));  // solvers look at it until they are bound anew
   if (sampler_) sampler_->bind(ground_->voxels, state_, ground_->tables);
   if (solver_) solver_->bind(ground_->voxels, state_);
   if (langevin_) langevin_->bind(ground_->voxels, state_);

@@ -100,8 +100,8 @@ class ExperimentOf final : public Experiment {
         flow_random_(scene_->effects.flow && scene_->effects.thermal_noise),
         own_flow_(flow_random_ || scene::acts_back(*scene_)),
         step_(splitting_step(*scene_, network_, reference)),
-        recorder_(*scene_, network_, geometry_.material(), lattice_cells(filling_), record_times(scene_->run),
-                  !random(), !(own_flow_ && random())) {
+        recorder_(*scene_, network_, geometry_, lattice_cells(filling_), record_times(scene_->run), !random(),
+                  !(own_flow_ && random())) {
     if (has_chemistry_) derived_.push_back({"splitting_step", step_.value, "s", step_.why});
     if (has_chemistry_ && step_.error > 0.0) derived_.push_back(splitting_error(step_));
     if (scene::in_motion(*scene_)) {

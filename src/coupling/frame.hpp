@@ -30,6 +30,7 @@ struct FlowPicture {
   double min_distance = 0;                       // smallest distance of two fluid particles, in spacings
   std::vector<base::Vec<D>> displacement;        // [m] of solids, 0 elsewhere; empty where there are none
   double elastic_energy = 0, solid_energy = 0;   // [J] of solids: elastic; elastic and kinetic
+  std::vector<double> loads;                     // [N], [N m] by observable, where that is a force or torque on a wall
 };
 
 }  // namespace shmoo::coupling

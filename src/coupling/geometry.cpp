@@ -208,25 +208,51 @@ void Geometry<D>::add_surfaces(const rdme::Places<D>& places, rdme::Voxels& voxe
   }
 }
 
+// Where a contact is with the boundary that the condition speaks of; nothing passes elsewhere.
+template <int D>
+rdme::Exchange Geometry<D>::exchange_of(const scene::SpeciesBoundary& boundary, const rdme::Contact& contact,
+                                        double volume) const {
+  const auto species = static_cast<std::uint32_t>(boundary.species);
+  const auto key = boundary.axis >= 0 ? std::uint32_t(2 * boundary.axis + boundary.side)
+                                      : surface + static_cast<std::uint32_t>(boundary.material);
+  if (key != contact.boundary || boundary.type == scene::BoundaryType::reflect) return {contact.voxel, species, 0, 0};
+  const double exit = scene_.species[species].diffusivity * contact.exchange;
+  const double held = boundary.type == scene::BoundaryType::fixed ? boundary.value : 0.0;
+  const double flux = boundary.type == scene::BoundaryType::flux ? boundary.value * contact.area : 0.0;
+  return {contact.voxel, species, exit, exit * held * volume + flux};
+}
+
 template <int D>
 void Geometry<D>::add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph,
                                          rdme::Voxels& voxels) const {
-  const double kappa = scene_.species[species].diffusivity;
   for (const auto& contact : graph.contacts) {
     for (const auto& boundary : scene_.boundaries) {
-      if (boundary.species != int(species) || boundary.type == scene::BoundaryType::reflect) continue;
-      const auto key = boundary.axis >= 0 ? std::uint32_t(2 * boundary.axis + boundary.side)
-                                          : surface + static_cast<std::uint32_t>(boundary.material);
-      if (key != contact.boundary) continue;
-      const double exit = kappa * contact.exchange;
-      const double held = boundary.type == scene::BoundaryType::fixed ? boundary.value : 0.0;
-      const double flux = boundary.type == scene::BoundaryType::flux ? boundary.value * contact.area : 0.0;
-      const double entry = exit * held * voxels.volume[contact.voxel] + flux;
-      if (exit > 0.0 || entry > 0.0) {
-        voxels.exchanges.push_back({contact.voxel, static_cast<std::uint32_t>(species), exit, entry});
-      }
+      if (boundary.species != int(species)) continue;
+      const auto exchange = exchange_of(boundary, contact, voxels.volume[contact.voxel]);
+      if (exchange.exit_rate > 0.0 || exchange.entry_rate > 0.0) voxels.exchanges.push_back(exchange);
     }
   }
+}
+
+template <int D>
+double Geometry<D>::flux(const Frame<D>& frame, std::size_t species, int side, int material,
+                         const std::vector<double>& concentration) const {
+  if (habitat_of_species_[species] < 0) return 0.0;
+  const rdme::Places<D> places{frame.position, frame.capacity, {}, material_, vacant_};
+  const auto& habitat = habitats_[std::size_t(habitat_of_species_[species])];
+  const auto graph = rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, weights(frame));
+  double sum = 0.0;
+  for (const auto& boundary : scene_.boundaries) {
+    const bool here = side < 0 ? boundary.axis < 0 && boundary.material == material
+                               : boundary.axis >= 0 && 2 * boundary.axis + boundary.side == side;
+    if (boundary.species != int(species) || !here) continue;
+    for (const auto& contact : graph.contacts) {
+      const double volume = frame.capacity[contact.voxel] * scene_.depth;
+      const auto exchange = exchange_of(boundary, contact, volume);
+      sum += exchange.entry_rate - exchange.exit_rate * volume * concentration[contact.voxel];
+    }
+  }
+  return sum;
 }
 
 template <int D>

@@ -38,6 +38,11 @@ class Geometry {
   // cell.
   std::vector<double> capacities(std::span<const base::Vec<D>> position) const;
 
+  // What enters of a species through a side of the domain (2 axis + side) or, where that is negative, from the surface
+  // of a material, less what leaves [molecules/s]; concentrations [molecules/m^3] by voxel, in the middle of the frame.
+  double flux(const Frame<D>& frame, std::size_t species, int side, int material,
+              const std::vector<double>& concentration) const;
+
   const std::vector<std::uint16_t>& material() const { return material_; }
 
  private:
@@ -47,6 +52,7 @@ class Geometry {
   rdme::PairWeights weights(const Frame<D>& frame) const;
   void relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const;
   void add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const;
+  rdme::Exchange exchange_of(const scene::SpeciesBoundary& boundary, const rdme::Contact& contact, double volume) const;
   void add_sponge_exchanges(std::size_t species, rdme::Voxels& voxels) const;
   void add_surfaces(const rdme::Places<D>& places, rdme::Voxels& voxels) const;
   bool lives_in(std::size_t species, std::uint16_t material) const;

@@ -35,6 +35,13 @@ class FluidInMotion final : public LiveFlow<D> {
 
   void feel(const std::function<double(int, std::uint32_t)>& concentration) override {
     fluid_.solids().soften(concentration);
+    if (scene_.flow.buoyancy.empty()) return;
+    std::vector<double> lightness(voxels_, 0.0);
+    for (const auto& buoyancy : scene_.flow.buoyancy) {
+      for (std::size_t id = 0; id < voxels_; ++id)
+        lightness[id] += buoyancy.expansion * (concentration(buoyancy.species, std::uint32_t(id)) - buoyancy.reference);
+    }
+    fluid_.buoy(std::move(lightness));
   }
 
   void advance(double until, Frame<D>* frame) override {
@@ -66,6 +73,8 @@ class FluidInMotion final : public LiveFlow<D> {
     picture.density_error = fluid_.density_error();
     picture.min_distance = fluid_.smallest_distance();
     add_solids(fluid_.solids(), picture);
+    picture.loads.assign(scene_.observables.size(), 0.0);
+    for (std::size_t o = 0; o < scene_.observables.size(); ++o) picture.loads[o] = load(scene_.observables[o]);
   }
 
   bool steady() const override { return steady_; }
@@ -80,7 +89,8 @@ class FluidInMotion final : public LiveFlow<D> {
 
  private:
   FluidInMotion(const scene::Scene& scene, sph::Filling<D> filling, const base::RandomKey& key)
-      : voxels_(filling.voxels),
+      : scene_(scene),
+        voxels_(filling.voxels),
         fluid_(scene, std::move(filling), key),
         tolerance_(scene.numerics.steady_tolerance),
         steadiness_(fluid_) {
@@ -114,6 +124,20 @@ class FluidInMotion final : public LiveFlow<D> {
     looked_at_ = fluid_.time();
   }
 
+  // What an observable of a wall's load says, 0 for any other.
+  double load(const scene::Observable& observable) const {
+    const bool force = observable.type == scene::ObservableType::wall_force;
+    if (!force && observable.type != scene::ObservableType::wall_torque) return 0.0;
+    const auto material = observable.side < 0
+                              ? static_cast<std::uint16_t>(observable.material)
+                              : sph::side_material(scene_.materials.size(), observable.side / 2, observable.side % 2);
+    Vec about;
+    for (int a = 0; a < D; ++a) about[a] = observable.point[std::size_t(a)];
+    const auto load = fluid_.wall_load(material, about);
+    return force ? load.force[observable.component] : load.torque[D == 2 ? 2 : observable.component];
+  }
+
+  const scene::Scene& scene_;
   std::size_t voxels_;
   hydro::Fluid<D> fluid_;
   std::optional<double> tolerance_;

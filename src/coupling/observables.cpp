@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/line_sample.hpp"
 #include "sph/fill.hpp"
 
 namespace shmoo::coupling {
@@ -92,10 +93,31 @@ double mean_displacement(const scene::Observable& observable, const scene::Scene
   return count > 0.0 ? sum / count : 0.0;
 }
 
+FieldInfo line(FieldInfo info, const scene::Observable& observable, const scene::Scene& scene, std::size_t cells) {
+  if (observable.at.empty()) return profile(std::move(info), observable, scene, cells);
+  info.shape = {observable.at.size()};
+  info.axis = observable.at;
+  return info;
+}
+
+template <int D>
+void sample_line(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
+                 const Scatter<D>& scatter, std::vector<double>& reals) {
+  const auto box = sph::domain_box<D>(scene.domain);
+  base::Vec<D> point;
+  for (int a = 0; a < D; ++a) point[a] = observable.point[std::size_t(a)];
+  reals.clear();
+  for (const double x : info.axis) {
+    point[observable.axis] = x;
+    reals.push_back(sample_at<D>(scatter, box, point, 3.0 * scene.domain.spacing));
+  }
+}
+
 }  // namespace
 
 bool of_chemistry(ObservableType type) {
-  return type == ObservableType::count || type == ObservableType::concentration || type == ObservableType::profile;
+  return type == ObservableType::count || type == ObservableType::concentration || type == ObservableType::profile ||
+         type == ObservableType::species_line || type == ObservableType::species_flux;
 }
 
 FieldInfo describe(const scene::Observable& observable, const scene::Scene& scene, std::size_t cells) {
@@ -131,14 +153,45 @@ FieldInfo describe(const scene::Observable& observable, const scene::Scene& scen
     case ObservableType::velocity_profile:
       info.unit = "m/s";
       return profile(info, observable, scene, cells);
+    case ObservableType::velocity_line:
+      info.unit = "m/s";
+      return line(info, observable, scene, cells);
+    case ObservableType::species_line:
+      info.unit = "molecules/m^3";
+      info.scale = std::max(largest_concentration(scene, observable.species), 1.0);
+      return line(info, observable, scene, cells);
+    case ObservableType::wall_force:
+      info.unit = "N";
+      return info;
+    case ObservableType::wall_torque:
+      info.unit = "N m";
+      return info;
+    case ObservableType::species_flux:
+      info.unit = "molecules/s";
+      return info;
   }
   return info;
 }
 
+// Of every voxel [molecules/m^3], at the end of the frame's interval.
 template <int D>
-void measure_chemistry(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                       const rdme::State& state, const Frame<D>& frame, const std::vector<std::uint16_t>& material,
-                       std::vector<std::int64_t>& counts, std::vector<double>& reals) {
+std::vector<double> concentrations(std::size_t species, const scene::Scene& scene, const rdme::State& state,
+                                   const Frame<D>& frame) {
+  const bool stochastic = scene.species[species].method == scene::SpeciesMethod::stochastic;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < frame.arrival.size(); ++i) {
+    const std::size_t entry = i * state.species + species;
+    const double amount = stochastic ? double(state.count[entry]) : state.amount[entry];
+    values.push_back(amount / (frame.arrival_capacity[i] * scene.depth));
+  }
+  return values;
+}
+
+// The sums of a species over each bin, or over everything that the observable selects.
+template <int D>
+void measure_sums(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
+                  const rdme::State& state, const Frame<D>& frame, const std::vector<std::uint16_t>& material,
+                  std::vector<std::int64_t>& counts, std::vector<double>& reals) {
   const bool stochastic = scene.species[std::size_t(observable.species)].method == scene::SpeciesMethod::stochastic;
   const std::size_t bins = info.shape.empty() ? 1 : info.shape[0];
   std::vector<std::int64_t> whole(bins, 0);
@@ -168,9 +221,32 @@ void measure_chemistry(const scene::Observable& observable, const scene::Scene& 
 }
 
 template <int D>
+void measure_chemistry(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
+                       const rdme::State& state, const Frame<D>& frame, const Geometry<D>& geometry,
+                       std::vector<std::int64_t>& counts, std::vector<double>& reals) {
+  const auto species = std::size_t(observable.species);
+  const auto& material = geometry.material();
+  if (observable.type == ObservableType::species_flux) {
+    const auto C = concentrations<D>(species, scene, state, frame);
+    reals.assign(1, geometry.flux(frame, species, observable.side, observable.material, C));
+  } else if (observable.type == ObservableType::species_line) {
+    const auto C = concentrations<D>(species, scene, state, frame);
+    Scatter<D> scatter;
+    for (std::size_t i = 0; i < C.size(); ++i) {
+      if (!selects<D>(observable, scene, material[i], frame.arrival[i])) continue;
+      scatter.place.push_back(frame.arrival[i]);
+      scatter.value.push_back(C[i]);
+    }
+    sample_line<D>(observable, scene, info, scatter, reals);
+  } else {
+    measure_sums<D>(observable, scene, info, state, frame, material, counts, reals);
+  }
+}
+
+template <int D>
 void measure_flow(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material,
-                  std::vector<double>& reals) {
+                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material, std::vector<double>& reals,
+                  std::size_t number) {
   reals.clear();
   switch (observable.type) {
     case ObservableType::kinetic_energy:
@@ -197,6 +273,19 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
     case ObservableType::displacement:
       reals.push_back(mean_displacement<D>(observable, scene, picture, material));
       return;
+    case ObservableType::wall_force:
+    case ObservableType::wall_torque:
+      reals.push_back(picture.loads[number]);
+      return;
+    case ObservableType::velocity_line: {
+      Scatter<D> scatter;
+      for (std::size_t i = 0; i < picture.position.size(); ++i) {
+        if (scene.materials[material[i]].type != scene::MaterialType::fluid) continue;
+        scatter.place.push_back(picture.position[i]);
+        scatter.value.push_back(picture.velocity[i][observable.component]);
+      }
+      return sample_line<D>(observable, scene, info, scatter, reals);
+    }
     default:
       break;
   }
@@ -215,12 +304,13 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
   fill_gaps(reals, weight);
 }
 
-#define SHMOO_INSTANTIATE(D)                                                                                 \
-  template void measure_chemistry<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,        \
-                                     const rdme::State&, const Frame<D>&, const std::vector<std::uint16_t>&, \
-                                     std::vector<std::int64_t>&, std::vector<double>&);                      \
-  template void measure_flow<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,             \
-                                const FlowPicture<D>&, const std::vector<std::uint16_t>&, std::vector<double>&);
+#define SHMOO_INSTANTIATE(D)                                                                                    \
+  template void measure_chemistry<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,           \
+                                     const rdme::State&, const Frame<D>&, const Geometry<D>&,                   \
+                                     std::vector<std::int64_t>&, std::vector<double>&);                         \
+  template void measure_flow<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,                \
+                                const FlowPicture<D>&, const std::vector<std::uint16_t>&, std::vector<double>&, \
+                                std::size_t);
 SHMOO_INSTANTIATE(1)
 SHMOO_INSTANTIATE(2)
 SHMOO_INSTANTIATE(3)

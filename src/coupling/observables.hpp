@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coupling/frame.hpp"
+#include "coupling/geometry.hpp"
 #include "coupling/record.hpp"
 #include "rdme/state.hpp"
 #include "scene/scene.hpp"
@@ -19,12 +20,13 @@ FieldInfo describe(const scene::Observable& observable, const scene::Scene& scen
 // observable counts molecules of a stochastic species, reals into `reals` otherwise.
 template <int D>
 void measure_chemistry(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                       const rdme::State& state, const Frame<D>& frame, const std::vector<std::uint16_t>& material,
+                       const rdme::State& state, const Frame<D>& frame, const Geometry<D>& geometry,
                        std::vector<std::int64_t>& counts, std::vector<double>& reals);
 
+// `number` is the observable's among the scene's.
 template <int D>
 void measure_flow(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
-                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material,
-                  std::vector<double>& reals);
+                  const FlowPicture<D>& picture, const std::vector<std::uint16_t>& material, std::vector<double>& reals,
+                  std::size_t number);
 
 }  // namespace shmoo::coupling

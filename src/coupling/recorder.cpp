@@ -14,10 +14,10 @@
 namespace shmoo::coupling {
 
 template <int D>
-Recorder<D>::Recorder(const scene::Scene& scene, const rdme::Network& network, std::vector<std::uint16_t> material,
+Recorder<D>::Recorder(const scene::Scene& scene, const rdme::Network& network, const Geometry<D>& geometry,
                       std::array<std::size_t, 3> cells, std::vector<double> times, bool chemistry_shared,
                       bool flow_shared)
-    : scene_(scene), material_(std::move(material)) {
+    : scene_(scene), geometry_(geometry), material_(geometry.material()) {
   layout_.times = std::move(times);
   add_chemistry_fields(network, chemistry_shared, flow_shared);
   if (scene::in_motion(scene)) add_flow_fields(flow_shared);
@@ -109,7 +109,7 @@ void Recorder<D>::chemistry(std::size_t time, const rdme::State& state, const Fr
   for (std::size_t o = 0; o < scene_.observables.size(); ++o) {
     if (!of_chemistry(scene_.observables[o].type)) continue;
     const FieldInfo& info = layout_.observables[o];
-    measure_chemistry<D>(scene_.observables[o], scene_, info, state, frame, material_, whole, real);
+    measure_chemistry<D>(scene_.observables[o], scene_, info, state, frame, geometry_, whole, real);
     if (info.whole)
       sink.observable(time, o, Values(std::span<const std::int64_t>(whole)));
     else
@@ -144,7 +144,7 @@ void Recorder<D>::flow(std::size_t time, const FlowPicture<D>& picture, RecordSi
   std::vector<double> real;
   for (std::size_t o = 0; o < scene_.observables.size(); ++o) {
     if (of_chemistry(scene_.observables[o].type)) continue;
-    measure_flow<D>(scene_.observables[o], scene_, layout_.observables[o], picture, material_, real);
+    measure_flow<D>(scene_.observables[o], scene_, layout_.observables[o], picture, material_, real, o);
     sink.observable(time, o, Values(std::span<const double>(real)));
   }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/frame.hpp"
+#include "coupling/geometry.hpp"
 #include "coupling/record.hpp"
 #include "rdme/network.hpp"
 #include "rdme/state.hpp"
@@ -16,7 +17,7 @@ class Recorder {
  public:
   // `chemistry_shared`, `flow_shared`: the same in every realisation. Throws base::InputError for a name in run.record
   // that this scene does not have.
-  Recorder(const scene::Scene& scene, const rdme::Network& network, std::vector<std::uint16_t> material,
+  Recorder(const scene::Scene& scene, const rdme::Network& network, const Geometry<D>& geometry,
            std::array<std::size_t, 3> cells, std::vector<double> times, bool chemistry_shared, bool flow_shared);
 
   const RecordLayout& layout() const { return layout_; }
@@ -38,7 +39,8 @@ class Recorder {
   void refuse_unknown_names() const;
 
   const scene::Scene& scene_;
-  std::vector<std::uint16_t> material_;
+  const Geometry<D>& geometry_;
+  const std::vector<std::uint16_t>& material_;
   RecordLayout layout_;
   std::vector<FieldSource> sources_;
   std::vector<std::string> available_;

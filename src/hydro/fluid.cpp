@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "hydro/density_sweep.hpp"
+#include "hydro/effects/buoyancy.hpp"
 #include "hydro/force_sweep.hpp"
 #include "hydro/initial_velocity.hpp"
 #include "hydro/solid/reaction_sweep.hpp"
@@ -50,7 +51,7 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
     state_.pressure[i] = state_.scales.background;
     if (particles.role[i] == sph::Role::fluid) state_.velocity[i] = initial(particles.position[i]);
   }
-  walls_.prepare(state_);
+  walls_.prepare(state_, scene);
   solids_.prepare(state_, scene);
   find_step();
   restart();
@@ -144,7 +145,7 @@ void Fluid<D>::bounce() {
 template <int D>
 void Fluid<D>::evaluate(double dt) {
   const double next = dt > 0.0 ? dt : dt_;
-  walls_.extrapolate_velocity(state_, kernel_);
+  walls_.extrapolate_velocity(state_, kernel_, time_);
   fill_slots();
   sweep_density(state_, kernel_, effects_, dt, next);
   solids_.close_volume(state_);
@@ -156,7 +157,7 @@ void Fluid<D>::evaluate(double dt) {
     solids_.take_tractions(state_);
   }
   const BodyView<D> view{state_.particles.position.values(), state_.velocity.values(), state_.acceleration.values(),
-                         next};
+                         state_.particles.id.values(), next};
   const std::span<const std::uint32_t> fluid = state_.rows.fluid();
   constexpr std::size_t chunk = 1024;
 #pragma omp parallel for schedule(static) if (worth_threads(fluid.size() / 4))
@@ -221,7 +222,7 @@ void Fluid<D>::kick(double dt, double root) {
 template <int D>
 void Fluid<D>::rub(double dt) {
   auto& friction = *effects_.implicit_friction;
-  const auto renew_walls = [this] { walls_.extrapolate_velocity(state_, kernel_); };
+  const auto renew_walls = [this] { walls_.extrapolate_velocity(state_, kernel_, time_); };
   friction.prepare(state_, kernel_);
   if (state_.noise) {
     kick(dt, 0.0);
@@ -261,6 +262,13 @@ void Fluid<D>::check() const {
                   "sound is {:g} m/s. Give a larger flow.reference_speed, a smaller numerics.courant, or a "
                   "smaller spacing.",
                   time_, steps_, fastest_, state_.scales.sound_speed));
+}
+
+template <int D>
+void Fluid<D>::buoy(const std::vector<double>& lightness) {
+  for (const auto& effect : effects_.body) {
+    if (auto* buoyancy = dynamic_cast<Buoyancy<D>*>(effect.get())) buoyancy->set(lightness);
+  }
 }
 
 template <int D>

@@ -10,6 +10,7 @@
 #include "hydro/scales.hpp"
 #include "hydro/solid/immersion.hpp"
 #include "hydro/state.hpp"
+#include "hydro/wall_load.hpp"
 #include "hydro/walls.hpp"
 #include "scene/scene.hpp"
 #include "sph/fill.hpp"
@@ -49,6 +50,9 @@ class Fluid {
   // Takes positions, velocities and densities as they now are in the store as the state to go on from.
   void restart();
 
+  // The relative loss of weight of every particle, by persistent id, from now on; see Buoyancy.
+  void buoy(const std::vector<double>& lightness);
+
   // The true velocity [m/s]: of a fluid particle, or of the solid's surface.
   Vec velocity(std::size_t index) const;
 
@@ -63,6 +67,7 @@ class Fluid {
   double density_error() const;      // max |rho/rho0 - 1|
   double smallest_distance() const;  // of two fluid particles, in spacings; infinite for fewer than two
   Vec momentum() const;              // [kg m/s]
+  WallLoad<D> wall_load(std::uint16_t material, const Vec& about) const;  // on a solid; layers beyond a side included
 
   std::uint64_t bounces() const { return bounces_; }  // velocities thrown back at walls so far
   std::uint64_t draws() const { return draws_; }      // random numbers drawn so far, each pair's counted once

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "hydro/effects/buoyancy.hpp"
 #include "hydro/initial_velocity.hpp"
 #include "hydro/wall_motion.hpp"
 #include "scene/motion.hpp"
@@ -69,6 +70,7 @@ template <int D>
 double force_speed(const scene::Scene& scene, const Scales<D>& scales) {
   double along_periodic = 0.0, fall = 0.0;
   bool walls = false;
+  for (int a = 0; a < D; ++a) fall += scales.lightness * std::abs(scales.gravity[a]) * extent(scene, a);
   for (int a = 0; a < D; ++a) {
     walls = walls || !is_periodic(scene, a);
     if (is_periodic(scene, a))
@@ -130,7 +132,7 @@ Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& fillin
     offer(initial(filling.particles.position[i]).norm(), "largest initial velocity");
   }
   for (const auto& material : scene.materials) offer_solid<D>(material, scene, filling, offer);
-  offer(force_speed<D>(scene, scales), "speed that the body force drives");
+  offer(force_speed<D>(scene, scales), "speed that body force and buoyancy drive");
   return best;
 }
 
@@ -155,7 +157,10 @@ template <int D>
 void derive_sound(const scene::Scene& scene, Scales<D>& scales, std::vector<Derived>& derived) {
   const double U = scales.speed, L = scales.length, nu = scales.kinematic_viscosity();
   double force = 0.0;
-  for (int a = 0; a < D; ++a) force += std::abs(scales.body_force[a]) * (is_periodic(scene, a) ? L : extent(scene, a));
+  for (int a = 0; a < D; ++a) {
+    const double f = std::abs(scales.body_force[a]) + scales.lightness * std::abs(scales.gravity[a]);
+    force += f * (is_periodic(scene, a) ? L : extent(scene, a));
+  }
   const double terms[] = {U * U, nu * U / L, force, channel_drop<D>(scene, U * nu)};
   const char* names[] = {"U^2", "nu U/L", "|f| L", "12 nu U l/w^2"};
   const auto largest = std::size_t(std::max_element(terms, terms + 4) - terms);
@@ -250,6 +255,8 @@ Scales<D> scales_at_rest(const scene::Scene& scene, const sph::Filling<D>& filli
   scales.background = scene.flow.background_pressure;
   scales.courant = scene.numerics.courant;
   if (scene.flow.body_force) scales.body_force = vector_of<D>(*scene.flow.body_force);
+  scales.gravity = vector_of<D>(scene.flow.gravity);
+  scales.lightness = largest_lightness(scene);
   scales.length = scene.flow.reference_length.value_or(default_length<D>(scene));
   return scales;
 }

@@ -43,6 +43,8 @@ struct Scales {
   double thermal_energy = 0;  // [J/m^(3-D)] kT per depth; 0 without thermal noise
   double courant = 0.25;
   base::Vec<D> body_force = base::Vec<D>::Zero();  // [m/s^2]
+  base::Vec<D> gravity = base::Vec<D>::Zero();     // [m/s^2] of buoyancy
+  double lightness = 0;                            // largest |b| to expect, see Buoyancy
   double friction = 0;  // [1/s] rate at which the pair friction stops a lone particle among resting ones
 
   double lattice_sum = 0;  // [1/m^D] sum_j W_ij on the starting lattice, i included

@@ -23,6 +23,7 @@ WallMotion<D>::WallMotion(const scene::Scene& scene) : entries_(scene.materials.
       for (int b = 0; b < D; ++b) entry.surface.velocity[b] = velocity[std::size_t(b)];
     }
   }
+  for (auto& entry : entries_) entry.slides = entry.motion.any() || entry.surface.any();
 }
 
 template <int D>
@@ -62,17 +63,25 @@ base::Vec<D> WallMotion<D>::acceleration(std::size_t material, const Vec& x, dou
 }
 
 template <int D>
+base::Vec<D> WallMotion<D>::Rigid::turned(const Vec& r, double dt) const {
+  const double rate = spin.norm();
+  if (rate == 0.0) return r;
+  if constexpr (D == 2)
+    return Eigen::Rotation2Dd(dt * spin[2]) * r;
+  else
+    return Eigen::AngleAxisd(dt * rate, spin / rate) * r;
+}
+
+template <int D>
+base::Vec<D> WallMotion<D>::turn(std::size_t material, const Vec& direction, double dt) const {
+  return entries_[material].motion.turned(direction, dt);
+}
+
+template <int D>
 base::Vec<D> WallMotion<D>::carry(std::size_t material, const Vec& x, double t, double dt) const {
   const Rigid& motion = entries_[material].motion;
   const Vec from_center = x - motion.center - t * motion.velocity;
-  const double spin = motion.spin.norm();
-  if (spin == 0.0) return x + dt * motion.velocity;
-  Vec turned;
-  if constexpr (D == 2)
-    turned = Eigen::Rotation2Dd(dt * motion.spin[2]) * from_center;
-  else
-    turned = Eigen::AngleAxisd(dt * spin, motion.spin / spin) * from_center;
-  return x + dt * motion.velocity + (turned - from_center);
+  return x + dt * motion.velocity + (motion.turned(from_center, dt) - from_center);
 }
 
 template class WallMotion<2>;

@@ -22,6 +22,14 @@ class WallMotion {
   Vec surface_velocity(std::size_t material, const Vec& x, double t) const;
   // Acceleration [m/s^2] of a particle carried along at x.
   Vec acceleration(std::size_t material, const Vec& x, double t) const;
+  // How much faster [m/s] a wall of this material moves at one point than at another, r [m] from there, for it turns.
+  Vec turning(std::size_t material, const Vec& r) const {
+    return entries_[material].motion.spin_cross(r) + entries_[material].surface.spin_cross(r);
+  }
+  // Whether a surface of this material has a velocity at all.
+  bool slides(std::size_t material) const { return entries_[material].slides; }
+  // A direction that belongs to the material, after dt.
+  Vec turn(std::size_t material, const Vec& direction, double dt) const;
   // Where a particle at x and time t is carried in dt.
   Vec carry(std::size_t material, const Vec& x, double t, double dt) const;
 
@@ -31,9 +39,11 @@ class WallMotion {
     base::Vec<3> spin = base::Vec<3>::Zero();
     Vec at(const Vec& x, double t) const;  // velocity
     Vec spin_cross(const Vec& r) const;
+    Vec turned(const Vec& r, double dt) const;
+    bool any() const { return velocity != Vec::Zero() || spin != base::Vec<3>::Zero(); }
   };
   struct Entry {
-    bool moves = false;
+    bool moves = false, slides = false;
     Rigid motion, surface;
   };
   static Rigid rigid(const scene::RigidMotion& motion);

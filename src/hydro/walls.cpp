@@ -3,9 +3,18 @@
 #include <cmath>
 
 namespace shmoo::hydro {
+namespace {
+
+// Without viscosity no force looks at the velocity behind a wall.
+bool wants_fit(scene::WallForm form, double viscosity) {
+  if (form == scene::WallForm::automatic) return viscosity > 0.0;
+  return form == scene::WallForm::second_order;
+}
+
+}  // namespace
 
 template <int D>
-void Walls<D>::prepare(State<D>& state) const {
+void Walls<D>::prepare(State<D>& state, const scene::Scene& scene) {
   auto& particles = state.particles;
   bool any = false;
   for (std::size_t i = 0; i < particles.size(); ++i) any = any || particles.role[i] != sph::Role::fluid;
@@ -17,10 +26,13 @@ void Walls<D>::prepare(State<D>& state) const {
     (*state.wall_velocity)[i] = motion_.surface_velocity(particles.material[i], particles.position[i], 0.0);
     state.velocity[i] = (*state.wall_velocity)[i];
   }
+  const auto form = scene.numerics.walls;
+  if (!wants_fit(form, state.scales.viscosity)) return;
+  fit_.emplace().prepare(state, sph::Surface<D>(scene), form == scene::WallForm::automatic);
 }
 
 template <int D>
-void Walls<D>::carry(State<D>& state, double t, double dt) const {
+void Walls<D>::carry(State<D>& state, double t, double dt) {
   if (!motion_.any_moves()) return;
   auto& particles = state.particles;
 #pragma omp parallel for schedule(static) if (worth_threads(particles.size() / 4))
@@ -30,29 +42,39 @@ void Walls<D>::carry(State<D>& state, double t, double dt) const {
     particles.position[i] = motion_.carry(material, particles.position[i], t, dt);
     (*state.wall_velocity)[i] = motion_.surface_velocity(material, particles.position[i], t + dt);
     particles.position[i] = state.box.wrap(particles.position[i]);
+    if (fit_) fit_->turn(motion_, material, i, dt);
   }
 }
 
 template <int D>
-void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& any_kernel) const {
+template <class Kernel>
+base::Vec<D> Walls<D>::mirrored(State<D>& state, const Kernel& kernel, std::size_t i) const {
+  double sum = 0.0;
+  Vec v = Vec::Zero();
+  const std::uint64_t first = state.rows.first(i);
+  for (std::uint64_t p = first; p < first + state.rows.count(i); ++p) {
+    const auto j = std::size_t(state.rows.partner()[p]);
+    const double W = kernel.W(state.separation(i, j).norm());
+    state.rows.weight[p] = W;
+    sum += W;
+    v += W * state.velocity[j];
+  }
+  const Vec& wall = (*state.wall_velocity)[i];
+  return sum > 0.0 ? Vec(2.0 * wall - v / sum) : wall;
+}
+
+template <int D>
+void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& any_kernel, double t) {
   const auto& solid = state.rows.solid();
+  if (fit_) fit_->follow(state);
   std::visit(
       [&](const auto& kernel) {
 #pragma omp parallel for schedule(static) if (worth_threads(4 * solid.size()))
         for (std::size_t n = 0; n < solid.size(); ++n) {
           const std::size_t i = solid[n];
-          double sum = 0.0;
-          base::Vec<D> v = base::Vec<D>::Zero();
-          const std::uint64_t first = state.rows.first(i);
-          for (std::uint64_t p = first; p < first + state.rows.count(i); ++p) {
-            const auto j = std::size_t(state.rows.partner()[p]);
-            const double W = kernel.W(state.separation(i, j).norm());
-            state.rows.weight[p] = W;
-            sum += W;
-            v += W * state.velocity[j];
-          }
-          const base::Vec<D>& wall = (*state.wall_velocity)[i];
-          state.velocity[i] = sum > 0.0 ? base::Vec<D>(2.0 * wall - v / sum) : wall;
+          Vec v = mirrored(state, kernel, i);
+          if (fit_) fit_->velocity(state, motion_, kernel, t, n, v);
+          state.velocity[i] = v;
         }
       },
       any_kernel);

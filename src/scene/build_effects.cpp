@@ -39,6 +39,7 @@ std::string driver(const Scene& scene, const Asked& asked) {
   for (std::size_t i = 0; i < scene.inflows.size(); ++i)
     if (scene.inflows[i].velocity) return fmt::format("inflow.{}.velocity", i);
   if (scene.flow.body_force) return "flow.body_force";
+  if (!scene.flow.buoyancy.empty()) return "buoyancy";
   if (!scene.flow.initial_velocity.empty()) return "flow.initial_velocity";
   for (const auto& material : scene.materials)
     if (material.type == MaterialType::wall && (material.motion || material.surface_motion))

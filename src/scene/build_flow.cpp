@@ -46,6 +46,20 @@ void read_targets(const Section& section, const Scene& scene, Inflow& inflow) {
   }
 }
 
+void build_buoyancy(const Section& root, Draft& draft) {
+  for (const auto& section : root.sections("buoyancy")) {
+    Buoyancy buoyancy;
+    if (const auto name = section.text("species"))
+      buoyancy.species = species_index(draft, *name, section, "species", *section.find("species"));
+    buoyancy.expansion = section.quantity("expansion").value_or(0);
+    buoyancy.reference = section.quantity("reference").value_or(0);
+    if (draft.flow.gravity == Point{}) section.error("nothing weighs; give flow.gravity");
+    if (draft.numerics.steady_tolerance)
+      section.error("the flow follows its species and is never carried; remove numerics.steady_tolerance");
+    if (buoyancy.species >= 0) draft.flow.buoyancy.push_back(buoyancy);
+  }
+}
+
 }  // namespace
 
 std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& section, const toml::node& list) {
@@ -80,11 +94,12 @@ void build_inflows(const Section& root, Draft& draft) {
 
 void build_flow(const Section& root, Draft& draft) {
   const auto section = root.section("flow");
-  if (!section) return;
+  if (!section) return build_buoyancy(root, draft);
   Flow& flow = draft.flow;
   flow.body_force = section->point("body_force");
   if (const auto* list = section->good("initial_velocity"); list && list->is_array())
     flow.initial_velocity = velocity_formulas(draft, *section, *list);
+  flow.gravity = section->point("gravity").value_or(Point{});
   flow.reference_speed = section->quantity("reference_speed");
   flow.reference_length = section->quantity("reference_length");
   flow.sound_speed = section->quantity("sound_speed");
@@ -95,6 +110,9 @@ void build_flow(const Section& root, Draft& draft) {
     section->error("thermal_energy", "give either 'temperature' or 'thermal_energy', not both");
   else if (const auto temperature = section->quantity("temperature"))
     flow.thermal_energy = base::boltzmann * *temperature;
+  build_buoyancy(root, draft);
+  if (section->has("gravity") && flow.buoyancy.empty())
+    section->error("gravity", "acts on [[buoyancy]] only, and there is none; a body_force acts on the whole fluid");
 }
 
 }  // namespace shmoo::scene

@@ -10,25 +10,47 @@
 namespace shmoo::scene {
 namespace {
 
+// What an observable needs and may say.
 struct TypeRules {
   const char* name;
   ObservableType type;
-  bool species, profile;  // needs a species; runs along an axis
+  bool species = false, flow = false;  // of which it needs one
+  bool axis = false, component = false;
+  bool line = false;      // at points of a line
+  bool boundary = false;  // at a side or at a material's surface
   bool solid = false;     // belongs to solids
 };
 
-constexpr std::array types{TypeRules{"count", ObservableType::count, true, false},
-                           TypeRules{"concentration", ObservableType::concentration, true, false},
-                           TypeRules{"profile", ObservableType::profile, true, true},
-                           TypeRules{"kinetic_energy", ObservableType::kinetic_energy, false, false},
-                           TypeRules{"max_speed", ObservableType::max_speed, false, false},
-                           TypeRules{"temperature", ObservableType::temperature, false, false},
-                           TypeRules{"density_error", ObservableType::density_error, false, false},
-                           TypeRules{"min_distance", ObservableType::min_distance, false, false},
-                           TypeRules{"velocity_profile", ObservableType::velocity_profile, false, true},
-                           TypeRules{"displacement", ObservableType::displacement, false, false, true},
-                           TypeRules{"elastic_energy", ObservableType::elastic_energy, false, false, true},
-                           TypeRules{"solid_energy", ObservableType::solid_energy, false, false, true}};
+constexpr std::array types{
+    TypeRules{.name = "count", .type = ObservableType::count, .species = true},
+    TypeRules{.name = "concentration", .type = ObservableType::concentration, .species = true},
+    TypeRules{.name = "profile", .type = ObservableType::profile, .species = true, .axis = true},
+    TypeRules{.name = "kinetic_energy", .type = ObservableType::kinetic_energy, .flow = true},
+    TypeRules{.name = "max_speed", .type = ObservableType::max_speed, .flow = true},
+    TypeRules{.name = "temperature", .type = ObservableType::temperature, .flow = true},
+    TypeRules{.name = "density_error", .type = ObservableType::density_error, .flow = true},
+    TypeRules{.name = "min_distance", .type = ObservableType::min_distance, .flow = true},
+    TypeRules{.name = "velocity_profile",
+              .type = ObservableType::velocity_profile,
+              .flow = true,
+              .axis = true,
+              .component = true},
+    TypeRules{.name = "velocity_line",
+              .type = ObservableType::velocity_line,
+              .flow = true,
+              .axis = true,
+              .component = true,
+              .line = true},
+    TypeRules{
+        .name = "species_line", .type = ObservableType::species_line, .species = true, .axis = true, .line = true},
+    TypeRules{
+        .name = "wall_force", .type = ObservableType::wall_force, .flow = true, .component = true, .boundary = true},
+    TypeRules{
+        .name = "wall_torque", .type = ObservableType::wall_torque, .flow = true, .component = true, .boundary = true},
+    TypeRules{.name = "species_flux", .type = ObservableType::species_flux, .species = true, .boundary = true},
+    TypeRules{.name = "displacement", .type = ObservableType::displacement, .component = true, .solid = true},
+    TypeRules{.name = "elastic_energy", .type = ObservableType::elastic_energy, .solid = true},
+    TypeRules{.name = "solid_energy", .type = ObservableType::solid_energy, .solid = true}};
 
 constexpr std::size_t longest_name = 64;
 
@@ -73,16 +95,15 @@ void read_solid(const Section& section, const Scene& scene, const TypeRules& rul
     if (section.has(key)) section.error(key, "energies are those of all solids; remove it");
 }
 
+void refuse(const Section& section, std::initializer_list<const char*> keys, const TypeRules& rules) {
+  for (const char* key : keys)
+    if (section.has(key))
+      section.error(key, fmt::format("an observable of type \"{}\" has none; remove it", rules.name));
+}
+
 void read_species(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
-  if (rules.solid) return read_solid(section, scene, rules, observable);
   if (!rules.species) {
-    for (const char* key : {"species", "in"})
-      if (section.has(key))
-        section.error(key, fmt::format("an observable of type \"{}\" belongs to the fluid; remove it", rules.name));
-    if (!scene.effects.flow)
-      section.error(
-          "type",
-          fmt::format("\"{}\" belongs to a moving fluid, and effects.flow is off; remove the observable", rules.name));
+    refuse(section, {"species"}, rules);
     return;
   }
   if (!section.has("species"))
@@ -90,18 +111,62 @@ void read_species(const Section& section, const Scene& scene, const TypeRules& r
                          fmt::format("missing; an observable of type \"{}\" needs the name of a species", rules.name));
   const auto name = section.text("species");
   if (name) observable.species = species_index(scene, *name, section, "species", *section.find("species"));
+}
+
+// The material in which, or at whose surface, something is measured.
+void read_material(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
+  if (!rules.species && !rules.boundary) return refuse(section, {"in"}, rules);
   if (const auto material = section.text("in"))
     observable.material = material_index(scene, *material, section, "in", *section.find("in"));
-  if (observable.species < 0 || observable.material < 0) return;
-  const auto& homes = scene.species[static_cast<std::size_t>(observable.species)].homes;
-  if (std::find(homes.begin(), homes.end(), observable.material) == homes.end())
-    section.error("in", fmt::format("{} does not live there; add the material to species.{}.in", *name, *name));
+  if (rules.boundary || observable.species < 0 || observable.material < 0) return;
+  const auto& species = scene.species[static_cast<std::size_t>(observable.species)];
+  if (std::find(species.homes.begin(), species.homes.end(), observable.material) == species.homes.end())
+    section.error("in",
+                  fmt::format("{} does not live there; add the material to species.{}.in", species.name, species.name));
+}
+
+void read_boundary(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
+  if (!rules.boundary) return refuse(section, {"side"}, rules);
+  const auto side = section.text("side");
+  if (side.has_value() == section.has("in"))
+    return section.error(fmt::format("an observable of type \"{}\" needs either 'side' or 'in'", rules.name));
+  if (side) {
+    const auto axis = static_cast<int>(axis_names.find((*side)[0]));
+    observable.side = 2 * axis + (side->ends_with("max") ? 1 : 0);
+    const auto& of = scene.domain.sides[static_cast<std::size_t>(axis)][0];
+    if (axis >= scene.dimension || of.type == SideType::periodic)
+      section.error("side", "this scene has no such side; it is periodic or beyond its dimensions");
+  } else if (rules.flow && observable.material >= 0 &&
+             scene.materials[static_cast<std::size_t>(observable.material)].type == MaterialType::fluid) {
+    section.error("in", "is a fluid; name a wall on which the fluid acts");
+  }
+}
+
+void read_line(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
+  const bool about = observable.type == ObservableType::wall_torque;
+  if (!rules.line) refuse(section, {"at"}, rules);
+  const std::string_view key = about ? "about" : "through";
+  if (!about) refuse(section, {"about"}, rules);
+  if (!rules.line) refuse(section, {"through"}, rules);
+  if (!rules.line && !about) return;
+  if (!section.has(key))
+    return section.error(key, about ? "missing; a torque acts about a point" : "missing; give a point of the line");
+  observable.point = section.point(key).value_or(Point{});
+  if (!rules.line) return;
+  observable.at = section.quantities("at");
+  if (!std::is_sorted(observable.at.begin(), observable.at.end(), std::less_equal<>()))
+    section.error("at", "must ascend, without repetition");
+  const auto axis = static_cast<std::size_t>(std::min(observable.axis, 2));
+  if (!observable.at.empty() &&
+      (observable.at.front() < scene.domain.lower[axis] || observable.at.back() > scene.domain.upper[axis]))
+    section.error("at", "holds points outside the domain");
+  if (section.has("at") && section.has("bins")) section.error("bins", "give either 'at' or 'bins', not both");
 }
 
 void read_profile(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
-  if (!rules.profile) {
+  if (!rules.axis) {
     for (const char* key : {"axis", "bins"})
-      if (section.has(key)) section.error(key, "only a profile has it; remove it");
+      if (section.has(key)) section.error(key, "only a profile or a line has it; remove it");
   } else {
     observable.axis = read_axis(section, "axis", scene.dimension);
     const auto axis = static_cast<std::size_t>(std::min(observable.axis, 2));
@@ -110,10 +175,10 @@ void read_profile(const Section& section, const Scene& scene, const TypeRules& r
     observable.bins =
         static_cast<int>(section.integer("bins").value_or(static_cast<std::int64_t>(std::clamp(spacings, 1.0, 1e6))));
   }
-  if (observable.type == ObservableType::velocity_profile || observable.type == ObservableType::displacement)
+  if (rules.component)
     observable.component = read_axis(section, "component", scene.dimension);
   else if (section.has("component"))
-    section.error("component", "only a velocity profile or a displacement has it; remove it");
+    section.error("component", "only a velocity, a displacement, a force or a torque has it; remove it");
 }
 
 }  // namespace
@@ -122,20 +187,34 @@ void build_observables(const Section& root, Scene& scene) {
   for (const auto& section : root.sections("observable")) {
     Observable observable;
     read_name(section, scene, observable);
-    if (section.has("shape")) observable.shape = build_shape(section, scene.dimension);
     const auto type = section.text("type");
     const auto rules = std::find_if(types.begin(), types.end(), [&](const TypeRules& one) { return type == one.name; });
     if (rules == types.end()) continue;
     observable.type = rules->type;
-    if (!scene.compartments.empty() && (rules->profile || !rules->species)) {
+    if (section.has("shape")) {
+      if (rules->line || rules->boundary) refuse(section, {"shape"}, *rules);
+      observable.shape = build_shape(section, scene.dimension);
+    }
+    if (!scene.compartments.empty() && (rules->axis || rules->flow || rules->boundary || rules->solid)) {
       section.error("type",
                     fmt::format("\"{}\" belongs to space, which a well-mixed scene has none of; use \"count\" or "
                                 "\"concentration\"",
                                 *type));
       continue;
     }
-    read_species(section, scene, *rules, observable);
+    if (rules->flow && !scene.effects.flow)
+      section.error("type", fmt::format("\"{}\" belongs to a moving fluid, and effects.flow is off; remove the "
+                                        "observable",
+                                        rules->name));
+    if (rules->solid) {
+      read_solid(section, scene, *rules, observable);
+    } else {
+      read_species(section, scene, *rules, observable);
+      read_material(section, scene, *rules, observable);
+    }
+    read_boundary(section, scene, *rules, observable);
     read_profile(section, scene, *rules, observable);
+    read_line(section, scene, *rules, observable);
     scene.observables.push_back(std::move(observable));
   }
 }

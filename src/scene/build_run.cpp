@@ -90,6 +90,11 @@ void build_numerics(const Section& root, Scene& scene) {
                                                                     {"explicit", ViscousStep::explicit_step},
                                                                     {"implicit", ViscousStep::implicit_step}}},
                 numerics.viscous_step);
+    read_choice(*section, "walls",
+                std::array<std::pair<const char*, WallForm>, 3>{{{"auto", WallForm::automatic},
+                                                                 {"extrapolated", WallForm::extrapolated},
+                                                                 {"second-order", WallForm::second_order}}},
+                numerics.walls);
     read_choice(
         *section, "sampler",
         std::array<std::pair<const char*, Sampler>, 5>{{{"direct", Sampler::direct},

@@ -35,6 +35,23 @@ Table zone_table() {
   return {"zone", "inflow.zone", "The extent of a zone on each axis.", std::move(keys)};
 }
 
+Table buoyancy_table() {
+  return {"buoyancy",
+          "[[buoyancy]]",
+          "A species that makes the fluid lighter, in the approximation of Boussinesq: only its weight changes.",
+          {{"species", {text("the name of a species")}, true, "", "which lives in the fluid"},
+           {"expansion",
+            {quantity(base::power(dimensions::concentration, -1), any)},
+            true,
+            "",
+            "relative loss of weight per concentration, such as \"1e-3 m^3/molecule\"; negative: it makes heavier"},
+           {"reference",
+            {quantity(dimensions::concentration, any)},
+            false,
+            "\"0 molecules/m^3\"",
+            "concentration at which nothing rises or sinks"}}};
+}
+
 Table flow_table() {
   return {"flow",
           "[flow]",
@@ -49,6 +66,11 @@ Table flow_table() {
             false,
             "at rest",
             "one quantity or formula of x, y, z and the parameters per axis"},
+           {"gravity",
+            {per_axis({quantity(dimensions::acceleration, any)})},
+            false,
+            "none",
+            "of [[buoyancy]]; hydrostatic pressure is left out"},
            {"reference_speed", {quantity(dimensions::speed, positive)}, false, "derived", "largest speed to expect"},
            {"reference_length", {quantity(dimensions::length, positive)}, false, "derived", "width of the flow"},
            {"sound_speed",
@@ -94,6 +116,8 @@ Table effects_table() {
 
 }  // namespace
 
-std::vector<Table> flow_tables() { return {inflow_table(), zone_table(), flow_table(), effects_table()}; }
+std::vector<Table> flow_tables() {
+  return {inflow_table(), zone_table(), buoyancy_table(), flow_table(), effects_table()};
+}
 
 }  // namespace shmoo::scene

@@ -13,6 +13,7 @@ inline bool has_solids(const Scene& scene) {
 
 // Whether species act back on what moves.
 inline bool acts_back(const Scene& scene) {
+  if (scene.effects.flow && !scene.flow.buoyancy.empty()) return true;
   return std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const Material& material) { return material.elastic && material.elastic->softening; });
 }

@@ -32,7 +32,15 @@ Table numerics_table() {
         {choice({"auto", "explicit", "implicit"})},
         false,
         "\"auto\"",
-        "how friction inside the fluid is stepped: implicit where its explicit step limit would be far below the acoustic"},
+        "how friction inside the fluid is stepped: implicit where its explicit step limit would be far below the "
+        "acoustic"},
+       {"walls",
+        {choice({"auto", "extrapolated", "second-order"})},
+        false,
+        "\"auto\"",
+        "what a fluid sees behind a wall: velocities mirrored (Adami, Hu & Adams 2012), or continued as a parabola "
+        "behind "
+        "the true surface, where that is smooth; by rule"},
        {"courant", {number({0, 1, true, false})}, false, "0.25", "of the acoustic time step"},
        {"sampler",
         {choice({"direct", "composition_rejection", "split", "tau_leaping", "auto"})},
@@ -83,22 +91,40 @@ Table observable_table() {
           {{"name", {text("letters, digits, _ and -")}, true, "", "what it is called"},
            {"type",
             {choice({"count", "concentration", "profile", "kinetic_energy", "max_speed", "temperature", "density_error",
-                     "min_distance", "velocity_profile", "displacement", "elastic_energy", "solid_energy"})},
+                     "min_distance", "velocity_profile", "displacement", "elastic_energy", "solid_energy",
+                     "velocity_line", "species_line", "wall_force", "wall_torque", "species_flux"})},
             true,
             "",
             "count: molecules of a species; concentration: the same per volume; profile: the same along an axis; "
             "displacement: mean over what started in `shape`, elastic_energy and solid_energy (elastic and kinetic) of "
-            "solids; the others belong to the fluid"},
-           {"species", {text("the name of a species")}, false, "", "for count, concentration and profile"},
+            "solids; lines: "
+            "values at single points, by moving least squares; wall_force, wall_torque: of the fluid on a wall; "
+            "species_flux: "
+            "molecules per time that enter through a boundary, less those that leave; the others belong to the fluid"},
+           {"species", {text("the name of a species")}, false, "", "for what is measured of a species"},
            {"in",
             {text("the name of a material")},
             false,
             "all in which it lives",
-            "only in this material, or solid",
+            "only in this material, or solid; for a force, torque or flux: at its surface",
             Place::space},
-           {"axis", {axis}, false, "\"x\"", "along which a profile runs", Place::space},
-           {"component", {axis}, false, "\"x\"", "of a velocity profile or a displacement", Place::space},
-           {"bins", {integer(1, 1000000)}, false, "one per spacing", "of a profile", Place::space}},
+           {"side",
+            {choice({"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"})},
+            false,
+            "",
+            "of the domain, where a force, torque or flux is measured, or `in`",
+            Place::space},
+           {"axis", {axis}, false, "\"x\"", "along which a profile or line runs", Place::space},
+           {"component", {axis}, false, "\"x\"", "of a velocity, displacement, force or, in 3-D, torque", Place::space},
+           {"bins", {integer(1, 1000000)}, false, "one per spacing", "of a profile or line", Place::space},
+           {"through", {position()}, false, "", "a point of the line", Place::space},
+           {"about", {position()}, false, "", "the point about which a torque acts", Place::space},
+           {"at",
+            {list({quantity(dimensions::length, any)}, 1, 1000000)},
+            false,
+            "the middles of the bins",
+            "coordinates of a line's points along its axis, ascending",
+            Place::space}},
           ShapeUse::optional};
 }
 

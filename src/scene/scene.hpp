@@ -262,7 +262,12 @@ enum class ObservableType {
   velocity_profile, // mean velocity component along an axis, in bins
   displacement,    // [m] mean displacement component of what started in a material / shape, solids
   elastic_energy,  // [J], solids
-  solid_energy     // [J], solids: elastic and kinetic
+  solid_energy,    // [J], solids: elastic and kinetic
+  velocity_line,   // velocity component at points of a line, by moving least squares
+  species_line,    // concentration there
+  wall_force,      // component of the force [N] of the fluid on a wall
+  wall_torque,     // component of its torque [N m] about a point
+  species_flux     // molecules of a species that leave through a boundary [molecules/s]
 };
 
 struct Observable {
@@ -271,9 +276,12 @@ struct Observable {
   int species = -1;
   int material = -1;    // -1: every home
   ShapePointer shape;   // null: everywhere
-  int axis = 0;         // of a profile
-  int component = 0;    // of a velocity profile or a displacement
+  int axis = 0;         // of a profile or line
+  int component = 0;    // of a velocity, a displacement, a force or a torque
   int bins = 0;         // of a profile
+  int side = -1;        // of the domain, 2 axis + (0 = min, 1 = max), where a force or flux is measured; else at `material`
+  Point point{};        // [m] on the line; about which a torque acts
+  std::vector<double> at{};  // [m] coordinates along `axis` of a line's points
 };
 
 struct Run {

@@ -20,6 +20,7 @@ scene::Scene bare_scene() {
   scene.flow.reference_speed = 1.0;
   scene.effects.viscosity = scene.effects.density_diffusion = scene.effects.transport_velocity = false;
   scene.effects.bounce_back = false;
+  scene.numerics.walls = scene::WallForm::extrapolated;
   return scene;
 }
 

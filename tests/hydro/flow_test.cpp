@@ -100,6 +100,54 @@ TEST(Poiseuille, ABodyForceDrivesTheParabola) {
   EXPECT_LT(std::sqrt(error / double(flowing.size())), 0.02);
 }
 
+// Root mean square of u - 4 y (1 - y) after two viscous times.
+double poiseuille_error(scene::WallForm walls) {
+  auto scene = poiseuille_scene(12);
+  scene.numerics.walls = walls;
+  auto fluid = make_fluid<2>(scene);
+  fluid.advance(10.0);
+  const double start = std::exp(-pi * pi * 0.1 * 10.0) * 32.0 / (pi * pi * pi);  // what is left of the start
+  double error = 0.0;
+  const auto& flowing = fluid.state().rows.fluid();
+  for (const auto i : flowing) {
+    const double y = fluid.particles().position[i][1];
+    error += std::pow(fluid.velocity(i)[0] - 4 * y * (1 - y) + start * std::sin(pi * y), 2);
+  }
+  return std::sqrt(error / double(flowing.size()));
+}
+
+TEST(Poiseuille, IsExactToRoundingOfTheArrangementWithWallsOfSecondOrder) {
+  const double second = poiseuille_error(scene::WallForm::second_order);
+  EXPECT_LT(second, 5e-4);
+  EXPECT_LT(10 * second, poiseuille_error(scene::WallForm::extrapolated));
+}
+
+// Between cylinders of radii 0.3 and 0.9, the inner one turning: u = A r + B/r.
+TEST(CircularCouette, AFittedWallKnowsItsCurvature) {
+  auto scene = box_scene(2, 2.0, 1.0 / 16, 0.1);
+  scene.domain.lower = {-1.1, -1.1, 0.0};
+  scene.domain.upper = {1.1, 1.1, 0.0};
+  scene.domain.material = 1;
+  scene.materials.push_back({"outer", scene::MaterialType::wall, 0, 0, 0, {}, {}});
+  scene.materials.push_back({"inner", scene::MaterialType::wall, 0, 0, 0, {}, scene::RigidMotion{{}, {0, 0, 2}, {}}});
+  scene.regions.push_back({std::make_shared<scene::Shape>(scene::Shape{scene::BallShape{{}, 0.9}}), 0, {}});
+  scene.regions.push_back({std::make_shared<scene::Shape>(scene::Shape{scene::BallShape{{}, 0.4}}), 2, {}});
+  auto fluid = make_fluid<2>(scene);
+  fluid.advance(4.0);
+  const double a2 = 0.4 * 0.4, b2 = 0.9 * 0.9, A = -2 * a2 / (b2 - a2), B = 2 * a2 * b2 / (b2 - a2);
+  double error = 0.0;
+  const auto& flowing = fluid.state().rows.fluid();
+  for (const auto i : flowing) {
+    const auto& x = fluid.particles().position[i];
+    const double rate = A + B / x.squaredNorm();
+    error += (fluid.velocity(i) - base::Vec<2>(-rate * x[1], rate * x[0])).squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(error / double(flowing.size())), 0.01);
+  const double torque = 4 * pi * 0.1 * 2 * a2 * b2 / (b2 - a2);
+  EXPECT_NEAR(fluid.wall_load(2, base::Vec<2>::Zero()).torque[2] / torque, -1.0, 0.05);
+  EXPECT_NEAR(fluid.wall_load(1, base::Vec<2>::Zero()).torque[2] / torque, 1.0, 0.05);
+}
+
 // The same channel along z in three dimensions.
 TEST(Poiseuille, HoldsIn3D) {
   auto scene = box_scene(3, 0.7, 0.1, 0.1);

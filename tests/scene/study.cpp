@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
             "It has: profile"},
         Mistake{head + quantity + "reference = { formula = \"slab_difusion\" }\n",
                 "S:17:25: error: quantity.0.reference.formula: there is no exact solution \"slab_difusion\"; did you "
-                "mean 'slab_diffusion'? Known: slab_diffusion, plate_diffusion, channel_flow, taylor_green_speed, "
+                "mean 'slab_diffusion'? Known: slab_diffusion, plate_diffusion, channel_flow, circular_couette, inclined_couette, taylor_green_speed, "
                 "taylor_green_energy"},
         Mistake{
             head + quantity +

@@ -4,18 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/observables.hpp"
 #include "coupling/rules/rule.hpp"
 
 namespace shmoo::coupling {
 namespace {
 
-using scene::ObservableType;
-
 bool records_flow(const scene::Scene& scene) {
-  const auto of_flow = [](const auto& observable) {
-    return observable.type != ObservableType::count && observable.type != ObservableType::concentration &&
-           observable.type != ObservableType::profile;
-  };
+  const auto of_flow = [](const auto& observable) { return !of_chemistry(observable.type); };
   const auto field = [](const std::string& name) {
     return name == "velocity" || name == "density" || name == "pressure" || name == "position";
   };

@@ -15,6 +15,7 @@ struct BodyView {
   const std::vector<base::Vec<D>>& position;  // [m]
   const std::vector<base::Vec<D>>& velocity;  // [m/s]
   std::vector<base::Vec<D>>& acceleration;    // [m/s^2]
+  const std::vector<std::uint32_t>& id;       // persistent
   double dt;                                  // [s] step in which the acceleration will act
 };
 

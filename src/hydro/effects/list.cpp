@@ -1,6 +1,7 @@
 #include "hydro/effects/list.hpp"
 
 #include "hydro/effects/body_force.hpp"
+#include "hydro/effects/buoyancy.hpp"
 #include "hydro/effects/sponge.hpp"
 
 namespace shmoo::hydro {
@@ -20,6 +21,7 @@ Effects<D> Effects<D>::choose(const scene::Scene& scene, const Scales<D>& scales
   effects.thermal_noise = ThermalNoise<D>::choose(scene, scales, key);
   effects.bounce_back = BounceBack<D>::choose(scene);
   BodyForce<D>::choose(scene, scales, effects.body);
+  Buoyancy<D>::choose(scene, scales, effects.body);
   Sponge<D>::choose(scene, scales, effects.body);
   return effects;
 }

@@ -59,25 +59,42 @@ void add_observable(const ResultFile& result, const Entry& entry, const Course& 
   }
 }
 
+std::vector<std::size_t> records_in(const ResultFile& result, const std::array<double, 2>& window) {
+  std::vector<std::size_t> found;
+  for (std::size_t t = 0; t < result.times.size(); ++t)
+    if (result.times[t] >= window[0] && result.times[t] <= window[1]) found.push_back(t);
+  if (found.empty()) throw base::RunError("no record lies in the window of the average");
+  return found;
+}
+
+// The mean of a profile over the records in the window.
+void add_average_profile(const Entry& entry, const Course& course, const std::vector<std::size_t>& window, double time,
+                         std::size_t axis, Sample& sample) {
+  const auto cells = entry.cells();
+  for (std::size_t b = 0; b < cells; ++b) {
+    std::array<double, 3> place{};
+    if (b < entry.axis.size()) place[axis] = entry.axis[b];
+    double sum = 0.0;
+    for (const auto t : window) sum += course.all.mean[t * cells + b];
+    add_place(sample, place[0], place[1], place[2], time, sum / double(window.size()));
+  }
+}
+
 // The mean of each realisation over the records in the window, then over realisations.
-void add_average(const ResultFile& result, const Entry& entry, const Course& course,
-                 const std::array<double, 2>& window, Sample& sample) {
-  if (entry.cells() != 1)
-    throw base::RunError(fmt::format("{} is a profile; only a number has an average", entry.name));
+void add_average(const ResultFile& result, const Course& course, const std::vector<std::size_t>& window, double time,
+                 Sample& sample) {
   const std::size_t times = result.times.size(), n = course.realisations > 0 ? course.realisations : 1;
   const auto& values = course.realisations > 0 ? course.values : course.all.mean;
   std::vector<double> means;
   for (std::size_t k = 0; k < n; ++k) {
-    double sum = 0.0, count = 0.0;
-    for (std::size_t t = 0; t < times; ++t)
-      if (result.times[t] >= window[0] && result.times[t] <= window[1]) sum += values[k * times + t], count += 1.0;
-    if (count == 0.0) throw base::RunError("no record lies in the window of the average");
-    means.push_back(sum / count);
+    double sum = 0.0;
+    for (const auto t : window) sum += values[k * times + t];
+    means.push_back(sum / double(window.size()));
   }
   double mean = 0.0, squares = 0.0;
   for (const double one : means) mean += one / double(n);
   for (const double one : means) squares += (one - mean) * (one - mean);
-  add_place(sample, 0, 0, 0, window[1], mean);
+  add_place(sample, 0, 0, 0, time, mean);
   if (n > 1) sample.variance.push_back(squares / double(n - 1));
 }
 
@@ -129,7 +146,12 @@ Sample take(const ResultFile& result, const scene::StudyQuantity& quantity) {
   const auto& entry = result.observable(quantity.observable);
   const auto course = result.course(entry);
   if (quantity.average) {
-    add_average(result, entry, course, *quantity.average, sample);
+    const auto window = records_in(result, *quantity.average);
+    const double end = (*quantity.average)[1];
+    if (entry.cells() == 1)
+      add_average(result, course, window, end, sample);
+    else
+      add_average_profile(entry, course, window, end, quantity.axis, sample);
     return sample;
   }
   if (quantity.period) {

@@ -59,6 +59,7 @@ std::vector<Case> chemistry_cases(std::uint64_t seed);
 std::vector<Case> hard_starts();      // where particles stand at the start
 std::vector<Case> hard_flows();       // forces, walls, noise
 std::vector<Case> hard_solids();      // elastic solids in a fluid
+std::vector<Case> hard_walls();       // fluid shot at walls
 std::vector<Case> hard_chemistry();   // numbers of molecules and rates
 std::vector<Case> hard_rates();       // extremes of both
 std::vector<Case> hard_splittings();  // steps that are too long or must shorten

@@ -240,7 +240,8 @@ double Geometry<D>::flux(const Frame<D>& frame, std::size_t species, int side, i
   if (habitat_of_species_[species] < 0) return 0.0;
   const rdme::Places<D> places{frame.position, frame.capacity, {}, material_, vacant_};
   const auto& habitat = habitats_[std::size_t(habitat_of_species_[species])];
-  const auto graph = rdme::make_habitat_graph<D>(places, box_, kernel_, scene_.depth, habitat, weights(frame));
+  const auto graph =
+      rdme::make_habitat_graph<D>(places, *rows(frame), box_, kernel_, scene_.depth, habitat, weights(frame));
   double sum = 0.0;
   for (const auto& boundary : scene_.boundaries) {
     const bool here = side < 0 ? boundary.axis < 0 && boundary.material == material

@@ -67,6 +67,41 @@ TEST(Immersion, MomentumCloses) {
   check_momentum("0.2 kg/m^3");
 }
 
+TEST(Immersion, MomentumClosesInSpace) {
+  const auto scene = scene::read_scene_text(R"toml(dimension = 3
+[domain]
+size = ["1 m", "1 m", "1 m"]
+spacing = "0.09 m"
+boundary = "periodic"
+material = "liquid"
+[materials.liquid]
+type = "fluid"
+density = "1 kg/m^3"
+viscosity = "0.02 Pa s"
+[materials.ball]
+type = "solid"
+density = "2 kg/m^3"
+shear_modulus = "50 Pa"
+poisson_ratio = 0.4
+initial_velocity = ["1 m/s", "0.2 m/s", "-0.4 m/s"]
+[[region]]
+material = "ball"
+shape = "ball"
+center = ["0.5 m", "0.5 m", "0.5 m"]
+radius = "0.25 m"
+[effects]
+transport_velocity = false
+[run]
+until = "1 s"
+)toml",
+                                            "ball.toml");
+  Fluid<3> fluid(scene, sph::fill<3>(scene));
+  const Eigen::Vector3d before = fluid.momentum() + fluid.solids().momentum(), solid = fluid.solids().momentum();
+  for (int k = 0; k < 40; ++k) fluid.step();
+  EXPECT_LT((fluid.momentum() + fluid.solids().momentum() - before).norm(), 1e-12 * solid.norm());
+  EXPECT_LT(fluid.solids().momentum().norm(), 0.95 * solid.norm());
+}
+
 TEST(Immersion, SameBitsForAnyNumberOfThreads) {
   auto text = disk("2 kg/m^3", "");
   text.replace(text.find("spacing = \"0.05 m"), 17, "spacing = \"0.01 m");

@@ -22,6 +22,7 @@ enum class Stream : std::uint32_t {
   leaps = 8,             // tau-leaping: a = particle id, b = half of the step
   langevin_reactions = 9,  // noise of smooth amounts: a = particle id, b = stage
   langevin_jumps = 10,   // of exchanges between voxels: a = particle id, b = species
+  rezoning = 11,         // molecules of a wall whose columns are laid anew: a = particle id, b = species
   test = 1000,           // for the tests
 };
 

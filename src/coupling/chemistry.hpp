@@ -1,6 +1,7 @@
 #pragma once
 // The chemistry of one realisation: its amounts, the sampler of its stochastic part and the solvers of its Langevin
 // and deterministic parts, joined by operator splitting.
+#include <functional>
 #include <memory>
 
 #include "base/random.hpp"
@@ -26,6 +27,9 @@ class Chemistry {
   // From t to t + dt [s] on ground that keeps its shape. Lie: deterministic, Langevin, stochastic; Strang: half of the
   // first two before and, in reverse, half after. `interval` numbers the calls of one realisation.
   void advance(std::shared_ptr<const Ground> ground, double t, double dt, std::uint64_t interval);
+
+  // Amounts and molecules are moved by someone else, in a way that the ledger need not know; the next advance comes on new ground.
+  void change(const std::function<void(rdme::State&)>& how) { how(state_); }
 
   // The ledger and what happened. Throws nothing: an imbalance is told in the outcome.
   void close(Outcome& outcome) const;

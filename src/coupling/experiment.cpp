@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "coupling/activity.hpp"
 #include "coupling/chemistry.hpp"
+#include "coupling/quasi_static/quasi_static.hpp"
 #include "coupling/recorder.hpp"
 #include "coupling/rules/judgement.hpp"
 #include "coupling/schedule.hpp"
@@ -200,6 +201,7 @@ class ExperimentOf final : public Experiment {
 std::unique_ptr<Experiment> make_experiment(scene::Scene scene) {
   auto judgement = judge(std::move(scene));
   if (scene::well_mixed(judgement.scene)) return make_well_mixed(std::move(judgement));
+  if (judgement.scene.mechanics.motion == scene::Motion::quasi_static) return make_quasi_static(std::move(judgement));
   switch (judgement.scene.dimension) {
     case 1:
       return std::make_unique<ExperimentOf<1>>(std::move(judgement));

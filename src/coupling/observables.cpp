@@ -150,6 +150,23 @@ FieldInfo describe(const scene::Observable& observable, const scene::Scene& scen
     case ObservableType::min_distance:
       info.unit = "1";
       return info;
+    case ObservableType::projection_length:
+      info.unit = "m";
+      info.scale = 1e-6;
+      return info;
+    case ObservableType::tip_curvature:
+      info.unit = "1/m";
+      info.scale = 1e6;
+      return info;
+    case ObservableType::cavity_volume:
+      info.unit = "m^3";
+      info.scale = 1e-15;
+      return info;
+    case ObservableType::flank_curvature:
+    case ObservableType::residual:
+    case ObservableType::outside:
+      info.unit = "1";
+      return info;
     case ObservableType::velocity_profile:
       info.unit = "m/s";
       return profile(info, observable, scene, cells);

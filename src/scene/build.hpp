@@ -54,6 +54,8 @@ void build_boundaries(const Section& root, Scene& scene);
 void build_inflows(const Section& root, Draft& draft);
 void build_flow(const Section& root, Draft& draft);
 void build_solids(const Section& root, Draft& draft);
+void build_mechanics(const Section& root, Scene& scene);
+void build_wall(const Section& root, Scene& scene);
 void build_effects(const Section& root, Scene& scene);
 void build_depth(const Section& root, Scene& scene);
 void build_observables(const Section& root, Scene& scene);

@@ -19,6 +19,7 @@ struct TypeRules {
   bool line = false;      // at points of a line
   bool boundary = false;  // at a side or at a material's surface
   bool solid = false;     // belongs to solids
+  bool wall = false;      // belongs to a quasi-static wall
 };
 
 constexpr std::array types{
@@ -50,7 +51,13 @@ constexpr std::array types{
     TypeRules{.name = "species_flux", .type = ObservableType::species_flux, .species = true, .boundary = true},
     TypeRules{.name = "displacement", .type = ObservableType::displacement, .component = true, .solid = true},
     TypeRules{.name = "elastic_energy", .type = ObservableType::elastic_energy, .solid = true},
-    TypeRules{.name = "solid_energy", .type = ObservableType::solid_energy, .solid = true}};
+    TypeRules{.name = "solid_energy", .type = ObservableType::solid_energy, .solid = true},
+    TypeRules{.name = "projection_length", .type = ObservableType::projection_length, .wall = true},
+    TypeRules{.name = "tip_curvature", .type = ObservableType::tip_curvature, .wall = true},
+    TypeRules{.name = "flank_curvature", .type = ObservableType::flank_curvature, .wall = true},
+    TypeRules{.name = "cavity_volume", .type = ObservableType::cavity_volume, .wall = true},
+    TypeRules{.name = "residual", .type = ObservableType::residual, .wall = true},
+    TypeRules{.name = "outside", .type = ObservableType::outside, .wall = true}};
 
 constexpr std::size_t longest_name = 64;
 
@@ -99,6 +106,19 @@ void refuse(const Section& section, std::initializer_list<const char*> keys, con
   for (const char* key : keys)
     if (section.has(key))
       section.error(key, fmt::format("an observable of type \"{}\" has none; remove it", rules.name));
+}
+
+// Of quasi-static walls, and what such scenes do not have.
+void read_wall(const Section& section, const Scene& scene, const TypeRules& rules) {
+  if (rules.wall && !quasi_static(scene))
+    section.error("type", fmt::format("\"{}\" belongs to a wall with mechanics.motion = \"quasi-static\"; remove the "
+                                      "observable",
+                                      rules.name));
+  if (rules.wall) refuse(section, {"species", "in", "shape"}, rules);
+  if (quasi_static(scene) && (rules.solid || rules.flow || rules.line || rules.boundary))
+    section.error("type", fmt::format("\"{}\" is not measured where mechanics.motion is \"quasi-static\"; remove the "
+                                      "observable",
+                                      rules.name));
 }
 
 void read_species(const Section& section, const Scene& scene, const TypeRules& rules, Observable& observable) {
@@ -195,7 +215,7 @@ void build_observables(const Section& root, Scene& scene) {
       if (rules->line || rules->boundary) refuse(section, {"shape"}, *rules);
       observable.shape = build_shape(section, scene.dimension);
     }
-    if (!scene.compartments.empty() && (rules->axis || rules->flow || rules->boundary || rules->solid)) {
+    if (!scene.compartments.empty() && (rules->axis || rules->flow || rules->boundary || rules->solid || rules->wall)) {
       section.error("type",
                     fmt::format("\"{}\" belongs to space, which a well-mixed scene has none of; use \"count\" or "
                                 "\"concentration\"",
@@ -206,7 +226,10 @@ void build_observables(const Section& root, Scene& scene) {
       section.error("type", fmt::format("\"{}\" belongs to a moving fluid, and effects.flow is off; remove the "
                                         "observable",
                                         rules->name));
-    if (rules->solid) {
+    read_wall(section, scene, *rules);
+    if (rules->wall) {
+      // it is all of the wall's
+    } else if (rules->solid) {
       read_solid(section, scene, *rules, observable);
     } else {
       read_species(section, scene, *rules, observable);

@@ -241,7 +241,7 @@ void build_regions(const Section& root, Scene& scene) {
 void build_depth(const Section& root, Scene& scene) {
   const bool fluid = std::any_of(scene.materials.begin(), scene.materials.end(),
                                  [](const Material& material) { return material.type == MaterialType::fluid; });
-  const std::string right = scene.dimension == 2 ? "depth" : scene.dimension == 1 ? "cross_section" : "";
+  const std::string right = scene.axisymmetric ? "" : scene.dimension == 2 ? "depth" : scene.dimension == 1 ? "cross_section" : "";
   for (const std::string key : {"depth", "cross_section"})
     if (key != right && root.has(key))
       root.error(key, fmt::format("a scene of dimension {} does not have it; {}", scene.dimension,

@@ -18,6 +18,9 @@ inline bool acts_back(const Scene& scene) {
                      [](const Material& material) { return material.elastic && material.elastic->softening; });
 }
 
-inline bool in_motion(const Scene& scene) { return scene.effects.flow || has_solids(scene); }
+inline bool quasi_static(const Scene& scene) { return scene.mechanics.motion == Motion::quasi_static; }
+
+// Whether steps of time carry particles on: quasi-static walls go from equilibrium to equilibrium instead.
+inline bool in_motion(const Scene& scene) { return scene.effects.flow || (has_solids(scene) && !quasi_static(scene)); }
 
 }  // namespace shmoo::scene

@@ -22,6 +22,7 @@ void build(const Section& root, Draft& draft) {
   } else {
     build_materials(root, draft);
     build_domain(root, draft);
+    build_mechanics(root, draft);
   }
   build_numerics(root, draft);
   build_regions(root, draft);
@@ -36,6 +37,7 @@ void build(const Section& root, Draft& draft) {
   build_inflows(root, draft);
   build_flow(root, draft);
   build_solids(root, draft);
+  build_wall(root, draft);
   build_effects(root, draft);
   build_observables(root, draft);
   build_record(root, draft);

@@ -90,9 +90,14 @@ Table observable_table() {
           "A number or profile that is recorded under its name.",
           {{"name", {text("letters, digits, _ and -")}, true, "", "what it is called"},
            {"type",
-            {choice({"count", "concentration", "profile", "kinetic_energy", "max_speed", "temperature", "density_error",
-                     "min_distance", "velocity_profile", "displacement", "elastic_energy", "solid_energy",
-                     "velocity_line", "species_line", "wall_force", "wall_torque", "species_flux"})},
+            {choice({"count",          "concentration",   "profile",
+                     "kinetic_energy", "max_speed",       "temperature",
+                     "density_error",  "min_distance",    "velocity_profile",
+                     "displacement",   "elastic_energy",  "solid_energy",
+                     "velocity_line",  "species_line",    "wall_force",
+                     "wall_torque",    "species_flux",    "projection_length",
+                     "tip_curvature",  "flank_curvature", "cavity_volume",
+                     "residual",       "outside"})},
             true,
             "",
             "count: molecules of a species; concentration: the same per volume; profile: the same along an axis; "
@@ -100,7 +105,11 @@ Table observable_table() {
             "solids; lines: "
             "values at single points, by moving least squares; wall_force, wall_torque: of the fluid on a wall; "
             "species_flux: "
-            "molecules per time that enter through a boundary, less those that leave; the others belong to the fluid"},
+            "molecules per time that enter through a boundary, less those that leave; projection_length (from tip to "
+            "back, less that before growth), tip_curvature, "
+            "flank_curvature (the least of the front half, times the outer radius; negative: a concave neck), "
+            "cavity_volume, residual (largest force that an equilibrium left, of turgor times radius squared) and "
+            "outside (particles found outside the cavity) of a quasi-static wall; the others belong to the fluid"},
            {"species", {text("the name of a species")}, false, "", "for what is measured of a species"},
            {"in",
             {text("the name of a material")},

@@ -267,7 +267,13 @@ enum class ObservableType {
   species_line,    // concentration there
   wall_force,      // component of the force [N] of the fluid on a wall
   wall_torque,     // component of its torque [N m] about a point
-  species_flux     // molecules of a species that leave through a boundary [molecules/s]
+  species_flux,    // molecules of a species that leave through a boundary [molecules/s]
+  projection_length,  // [m] length from tip to back less that before growth; this and the next: of a quasi-static wall
+  tip_curvature,      // [1/m]
+  flank_curvature,    // the least curvature of the front half, times the outer radius; negative: a concave neck
+  cavity_volume,      // [m^3]
+  residual,           // the largest force that an equilibrium left on a particle, of p R^2 (plane strain: p R)
+  outside             // particles that were found outside the cavity that they fill
 };
 
 struct Observable {

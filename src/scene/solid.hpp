@@ -45,8 +45,8 @@ struct Elastic {
   double artificial_viscosity = 0.1;        // [1] of hooke_jaumann, Monaghan's alpha
 };
 
-// A species enters a solid's surface around the tip, the point of it that is farthest along x: dC/dt = rate w(s)
-// (concentration - C), w = exp(-(s/width)^2) with s the arc length from the tip.
+// A species enters the wall around its tip, its end on the axis that is farthest along x, through all its thickness:
+// dC/dt = rate w(s) (concentration - C), w = exp(-(s/width)^2) with s the arc length from the tip on the outer surface.
 struct TipSource {
   int species = 0;
   double rate = 0;           // [1/s]
@@ -64,6 +64,7 @@ struct Mechanics {
   double turgor = 0;           // [Pa] pressure inside a closed solid
   std::optional<double> step;  // [s] of quasi-static motion; derived where absent
   double tolerance = 1e-3;     // relative error of lengths that a derived step may cost
+  int columns = 0;             // of particles along half of the wall's outline; 0: derived
   std::vector<TipSource> sources;
 };
 

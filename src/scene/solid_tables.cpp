@@ -41,6 +41,7 @@ std::vector<Key> solid_keys() {
        false,
        "none",
        "of a solid: its shear modulus falls with a species that lives in it"},
+      {"growth", {subtable("growth")}, false, "none", "of a quasi-static wall, by a species"},
       {"artificial_stress",
        {number({0, 1})},
        false,

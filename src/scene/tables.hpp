@@ -11,6 +11,7 @@ std::vector<Table> chemistry_tables();  // parameters, species, reactions, bound
 Table softening_table();                // of solids
 std::vector<Key> solid_keys();          // of materials that are solids
 std::vector<Table> flow_tables();       // inflow, flow, effects
+std::vector<Table> mechanics_tables();  // mechanics, sources, growth
 std::vector<Table> run_tables();        // numerics, observables, run
 std::vector<Table> study_file_tables();
 

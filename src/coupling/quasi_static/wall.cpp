@@ -12,6 +12,7 @@ namespace shmoo::coupling {
 namespace {
 
 constexpr double most_stretch = 1.1;  // since the reference
+constexpr double last_stretch = 1.5;  // beyond which the old columns are worth nothing
 constexpr int most_parts = 64;        // of a step that finds no equilibrium
 
 }  // namespace
@@ -62,12 +63,17 @@ void Wall::advance(double t, double dt, const std::vector<std::vector<double>>& 
 }
 
 std::vector<hydro::Take> Wall::rezone() {
-  if (hydro::largest_stretch(shell_, equilibrium_.energy()) <= most_stretch) return {};
+  const double stretch = hydro::largest_stretch(shell_, equilibrium_.energy());
+  if (stretch <= most_stretch) return {};
+  const auto before = shell_;
   auto takes = hydro::rezone(shell_, equilibrium_.energy());
   equilibrium_.energy().refer(shell_);
-  if (!settle())
+  if (settle()) return takes;
+  if (stretch > last_stretch)
     throw base::RunError("the wall finds no equilibrium after its columns were laid anew; make domain.spacing smaller");
-  return takes;
+  shell_ = before;  // later, perhaps
+  equilibrium_.energy().refer(shell_);
+  return {};
 }
 
 std::vector<double> Wall::volumes() const {

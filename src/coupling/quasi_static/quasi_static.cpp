@@ -52,6 +52,7 @@ class QuasiStatic final : public Experiment {
     if (random() && any(scene::SpeciesMethod::stochastic)) sampler_ = rdme::make_sampler(scene_.numerics, network_);
     derived_ = std::move(judgement.derived);
     describe_wall();
+    describe_actions();
   }
 
   const scene::Scene& scene() const override { return scene_; }
@@ -98,6 +99,23 @@ class QuasiStatic final : public Experiment {
     if (scene_.species.empty()) return;
     derived_.push_back({"splitting_step", splitting_.value, "s", splitting_.why});
     if (splitting_.error > 0.0) derived_.push_back(splitting_error(splitting_));
+  }
+
+  // What acts on the wall, and is not there unless the scene says so.
+  void describe_actions() {
+    const auto& elastic = plan_.elastic();
+    const auto& mechanics = scene_.mechanics;
+    const auto name = [&](int species) { return scene_.species[std::size_t(species)].name; };
+    derived_.push_back({"turgor", mechanics.turgor, "Pa", "present: mechanics.turgor"});
+    if (elastic.softening)
+      derived_.push_back({"softening", elastic.softening->coefficient, "m^3/molecule",
+                          "present: by " + name(elastic.softening->species)});
+    if (elastic.growth)
+      derived_.push_back({"growth", elastic.growth->coefficient, "m^3/(molecule Pa s)",
+                          "present: by " + name(elastic.growth->species)});
+    for (const auto& source : mechanics.sources)
+      derived_.push_back({"source of " + name(source.species), source.rate, "1/s",
+                          fmt::format("present: within about {:g} m of the tip", source.width)});
   }
 
   // Chemistry from t to `end` on ground that keeps its shape.

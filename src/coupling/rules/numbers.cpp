@@ -134,7 +134,8 @@ Numbers numbers_in(const scene::Scene& scene) {
   for (const auto role : filling.particles.role.values()) numbers.walls = numbers.walls || role != sph::Role::fluid;
   if constexpr (D > 1) {
     if (scene.effects.flow) add_flow<D>(scene, filling, numbers);
-    if (scene::has_solids(scene)) numbers.solid_step = hydro::Solids<D>(scene, filling).step_limit();
+    if (scene::has_solids(scene) && !scene::quasi_static(scene))
+      numbers.solid_step = hydro::Solids<D>(scene, filling).step_limit();
   }
   if (!scene.species.empty()) add_species(scene, voxels_of(scene, filling), numbers);
   return numbers;

@@ -38,17 +38,19 @@ Limit flow_time(const scene::Scene& scene, const Numbers& numbers, const Pace& p
 Limit solid_time(const scene::Scene& scene, const Numbers& numbers, const Pace& pace) {
   const double steps = scene.run.until / numbers.solid_step;
   const double seconds = steps * double(numbers.voxels) / pace.particle_steps;
-  return {"days of computing the solids",
-          seconds / day,
-          1.0,
-          year / day,
-          fmt::format("{:.3g} s at {:.3g} s a step (elastic waves) are {:.3g} steps, x {} particles at {:.2g} "
-                      "particle-steps a second ({}) are {:.3g} days",
-                      scene.run.until, numbers.solid_step, steps, numbers.voxels, pace.particle_steps, whose(pace),
-                      seconds / day),
-          fmt::format("set run.until to at most {:.2g} s",
-                      numbers.solid_step * pace.particle_steps * day / double(numbers.voxels)),
-          "arithmetic: time over step, times particles, over pace"};
+  return {
+      "days of computing the solids",
+      seconds / day,
+      1.0,
+      year / day,
+      fmt::format("{:.3g} s at {:.3g} s a step (elastic waves) are {:.3g} steps, x {} particles at {:.2g} "
+                  "particle-steps a second ({}) are {:.3g} days",
+                  scene.run.until, numbers.solid_step, steps, numbers.voxels, pace.particle_steps, whose(pace),
+                  seconds / day),
+      fmt::format(
+          "set run.until to at most {:.2g} s, or for a closed wall under turgor mechanics.motion to \"quasi-static\"",
+          numbers.solid_step * pace.particle_steps * day / double(numbers.voxels)),
+      "arithmetic: time over step, times particles, over pace"};
 }
 
 // Diffusive jumps on a lattice of nearest neighbours, 2 D kappa/h^2 a molecule, and reactions.

@@ -157,7 +157,7 @@ class QuasiStatic final : public Experiment {
         const auto ground = wall_ground(plan_, wall, sampler_.get());
         react(chemistry, ground, t, end, interval);
         wall.advance(end, end - t, concentrations(chemistry.state(), *ground));
-        const auto takes = wall.rezone();
+        const auto takes = wall.rezone(end);
         if (!takes.empty()) {
           chemistry.change([&](rdme::State& state) { redistribute(state, network_, takes, key, step); });
         }

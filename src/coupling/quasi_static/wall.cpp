@@ -18,7 +18,7 @@ constexpr int most_parts = 64;        // of a step that finds no equilibrium
 }  // namespace
 
 Wall::Wall(const WallPlan& plan) : plan_(plan), shell_(plan.start), equilibrium_(plan.start), filling_(plan.filling) {
-  hydro::relax(filling_, equilibrium_.energy().cavity(shell_));
+  fill();
 }
 
 bool Wall::settle() {
@@ -50,27 +50,38 @@ void Wall::advance(double t, double dt, const std::vector<std::vector<double>>& 
       ++done;
     }
     if (done < parts) continue;
-    const auto outline = equilibrium_.energy().cavity(shell_);
-    hydro::relax(filling_, outline);
-    for (const auto& x : filling_) outside_ += hydro::inside(outline, x) ? 0 : 1;
+    fill();
     return;
   }
+  give_up(t);
+}
+
+// The filling follows the cavity.
+void Wall::fill() {
+  const auto outline = equilibrium_.energy().cavity(shell_);
+  hydro::relax(filling_, outline);
+  for (const auto& x : filling_) outside_ += hydro::inside(outline, x) ? 0 : 1;
+}
+
+void Wall::give_up(double t) const {
   throw base::RunError(
       fmt::format("the wall finds no equilibrium under its turgor of {:.4g} Pa at t = {:.6g} s: it is too soft for it "
-                  "by now (least shear modulus {:.3g} "
-                  "Pa) or has grown too thin; lower mechanics.turgor, the softening or the growth",
+                  "by now (least shear modulus {:.3g} Pa) or has grown too thin; lower mechanics.turgor, the softening "
+                  "or the growth, or make domain.spacing smaller",
                   plan_.scene.mechanics.turgor, t, *std::min_element(shell_.shear.begin(), shell_.shear.end())));
 }
 
-std::vector<hydro::Take> Wall::rezone() {
+std::vector<hydro::Take> Wall::rezone(double t) {
   const double stretch = hydro::largest_stretch(shell_, equilibrium_.energy());
   if (stretch <= most_stretch) return {};
   const auto before = shell_;
   auto takes = hydro::rezone(shell_, equilibrium_.energy());
   equilibrium_.energy().refer(shell_);
-  if (settle()) return takes;
-  if (stretch > last_stretch)
-    throw base::RunError("the wall finds no equilibrium after its columns were laid anew; make domain.spacing smaller");
+  if (settle()) {
+    fill();
+    return takes;
+  }
+  if (stretch > last_stretch) give_up(t);
   shell_ = before;  // later, perhaps
   equilibrium_.energy().refer(shell_);
   return {};

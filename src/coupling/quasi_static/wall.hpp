@@ -18,7 +18,7 @@ class Wall {
 
   // Lays columns anew where they have been stretched since they were last; who takes how much of what is counted, or
   // nothing.
-  std::vector<hydro::Take> rezone();
+  std::vector<hydro::Take> rezone(double t);
 
   const hydro::Shell& shell() const { return shell_; }
   const hydro::Points& filling() const { return filling_; }
@@ -32,6 +32,8 @@ class Wall {
 
  private:
   bool settle();
+  void fill();
+  [[noreturn]] void give_up(double t) const;
   void change(double dt, const std::vector<std::vector<double>>& concentration);
 
   const WallPlan& plan_;

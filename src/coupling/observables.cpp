@@ -204,7 +204,6 @@ std::vector<double> concentrations(std::size_t species, const scene::Scene& scen
   return values;
 }
 
-// The sums of a species over each bin, or over everything that the observable selects.
 template <int D>
 void measure_sums(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
                   const rdme::State& state, const Frame<D>& frame, const std::vector<std::uint16_t>& material,
@@ -321,12 +320,15 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
   fill_gaps(reals, weight);
 }
 
-#define SHMOO_INSTANTIATE(D)                                                                                    \
-  template void measure_chemistry<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,           \
-                                     const rdme::State&, const Frame<D>&, const Geometry<D>&,                   \
-                                     std::vector<std::int64_t>&, std::vector<double>&);                         \
-  template void measure_flow<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,                \
-                                const FlowPicture<D>&, const std::vector<std::uint16_t>&, std::vector<double>&, \
+#define SHMOO_INSTANTIATE(D)                                                                                         \
+  template void measure_sums<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&, const rdme::State&, \
+                                const Frame<D>&, const std::vector<std::uint16_t>&, std::vector<std::int64_t>&,      \
+                                std::vector<double>&);                                                               \
+  template void measure_chemistry<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,                \
+                                     const rdme::State&, const Frame<D>&, const Geometry<D>&,                        \
+                                     std::vector<std::int64_t>&, std::vector<double>&);                              \
+  template void measure_flow<D>(const scene::Observable&, const scene::Scene&, const FieldInfo&,                     \
+                                const FlowPicture<D>&, const std::vector<std::uint16_t>&, std::vector<double>&,      \
                                 std::size_t);
 SHMOO_INSTANTIATE(1)
 SHMOO_INSTANTIATE(2)

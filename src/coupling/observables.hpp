@@ -23,6 +23,12 @@ void measure_chemistry(const scene::Observable& observable, const scene::Scene& 
                        const rdme::State& state, const Frame<D>& frame, const Geometry<D>& geometry,
                        std::vector<std::int64_t>& counts, std::vector<double>& reals);
 
+// The part of it that needs no geometry: sums of a species over each bin, or over all that the observable selects.
+template <int D>
+void measure_sums(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,
+                  const rdme::State& state, const Frame<D>& frame, const std::vector<std::uint16_t>& material,
+                  std::vector<std::int64_t>& counts, std::vector<double>& reals);
+
 // `number` is the observable's among the scene's.
 template <int D>
 void measure_flow(const scene::Observable& observable, const scene::Scene& scene, const FieldInfo& info,

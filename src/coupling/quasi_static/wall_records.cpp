@@ -114,7 +114,7 @@ void WallRecords::read(std::size_t time, const Wall& wall, const rdme::State& st
     const auto& observable = plan_.scene.observables[o];
     const auto& info = layout_.observables[o];
     if (of_chemistry(observable.type))
-      measure_chemistry<2>(observable, plan_.scene, info, state, frame, material_, whole, real);
+      measure_sums<2>(observable, plan_.scene, info, state, frame, material_, whole, real);
     else
       real = {shape(observable.type, wall)};
     send(info.whole, [&](Values values) { sink.observable(time, o, values); });

@@ -115,7 +115,7 @@ void read_wall(const Section& section, const Scene& scene, const TypeRules& rule
                                       "observable",
                                       rules.name));
   if (rules.wall) refuse(section, {"species", "in", "shape"}, rules);
-  if (quasi_static(scene) && (rules.solid || rules.flow || rules.line || rules.boundary))
+  if (quasi_static(scene) && !rules.flow && (rules.solid || rules.line || rules.boundary))
     section.error("type", fmt::format("\"{}\" is not measured where mechanics.motion is \"quasi-static\"; remove the "
                                       "observable",
                                       rules.name));

@@ -241,10 +241,14 @@ void build_regions(const Section& root, Scene& scene) {
 void build_depth(const Section& root, Scene& scene) {
   const bool fluid = std::any_of(scene.materials.begin(), scene.materials.end(),
                                  [](const Material& material) { return material.type == MaterialType::fluid; });
-  const std::string right = scene.axisymmetric ? "" : scene.dimension == 2 ? "depth" : scene.dimension == 1 ? "cross_section" : "";
+  const std::string right = scene.axisymmetric     ? ""
+                            : scene.dimension == 2 ? "depth"
+                            : scene.dimension == 1 ? "cross_section"
+                                                   : "";
   for (const std::string key : {"depth", "cross_section"})
     if (key != right && root.has(key))
-      root.error(key, fmt::format("a scene of dimension {} does not have it; {}", scene.dimension,
+      root.error(key, fmt::format("{} of dimension {} does not have it; {}",
+                                  scene.axisymmetric ? "an axisymmetric scene" : "a scene", scene.dimension,
                                   right.empty() ? "remove it" : fmt::format("write '{}'", right)));
   scene.depth = right.empty() ? 1 : root.quantity(right).value_or(1);
   if (!right.empty() && !root.has(right) && (fluid || has_solids(scene) || !scene.species.empty()))

@@ -269,6 +269,7 @@ void Fluid<D>::buoy(const std::vector<double>& lightness) {
   for (const auto& effect : effects_.body) {
     if (auto* buoyancy = dynamic_cast<Buoyancy<D>*>(effect.get())) buoyancy->set(lightness);
   }
+  if (steps_ == 0) restart();  // the first half kick feels it, too
 }
 
 template <int D>

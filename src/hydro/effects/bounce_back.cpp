@@ -73,6 +73,16 @@ bool throw_back(const WallView<D>& view, double spacing, Vec<D>& v) {
   return true;
 }
 
+// The transport velocity must not carry a particle that all but touches a wall into it.
+template <int D>
+void hold_back(const WallView<D>& view, double spacing, Vec<D>& shift) {
+  const double size = view.outward.norm();
+  if (!(size > 1e-6 * view.steepness)) return;
+  const Vec<D> n = view.outward / size;
+  const bool near = view.from_nearest.dot(n) < 0.75 * spacing && view.nearest2 < spacing * spacing;
+  if (near || view.inside >= 0.5 * view.all) shift -= std::min(0.0, shift.dot(n)) * n;
+}
+
 }  // namespace
 
 template <int D>
@@ -86,6 +96,7 @@ std::uint64_t BounceBack<D>::apply(State<D>& state, const sph::AnyKernel<D>& ker
           if (stands_clear(state, near[n])) continue;
           const auto view = look<D>(state, k, near[n]);
           count += throw_back<D>(view, state.scales.spacing, state.velocity[near[n]]);
+          if (state.shift) hold_back<D>(view, state.scales.spacing, (*state.shift)[near[n]]);
         }
       },
       kernel);

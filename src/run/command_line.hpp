@@ -14,6 +14,7 @@ enum ExitCode { exit_done = 0, exit_input = 1, exit_failed = 2, exit_interrupted
 // Where scenes and experiments come from.
 struct Workshop {
   std::function<scene::Scene(const std::string& file, const scene::Overrides& overrides)> read;
+  std::function<scene::Scene(const std::string& text, const std::string& file)> read_text;  // of a result
   std::function<std::unique_ptr<coupling::Experiment>(scene::Scene scene)> make;
   std::function<std::string()> schema;
 };

@@ -55,16 +55,23 @@ class Ensemble {
       write({"failed", *failure_});
       throw base::RunError(*failure_);
     }
-    write({results_.complete() ? "done" : "interrupted", ""});
+    write({results_.complete() ? "done" : part_complete() ? "part" : "interrupted", ""});
     return end();
   }
 
  private:
+  bool mine(std::size_t k) const { return k % options_.parts == options_.part; }
+  bool part_complete() const {
+    for (std::size_t k = 0; k < results_.done.size(); ++k)
+      if (mine(k) && results_.done[k] == 0) return false;
+    return true;
+  }
+
   EnsembleEnd end() const {
     bool balanced = true;
     for (std::size_t k = 0; k < results_.done.size(); ++k)
       balanced = balanced && (results_.done[k] == 0 || results_.balanced[k] != 0);
-    return {!results_.complete(), results_.done_count(), results_.done.size(), balanced, seconds_since(start_)};
+    return {!part_complete(), results_.done_count(), results_.done.size(), balanced, seconds_since(start_)};
   }
 
   // What all realisations share.
@@ -84,7 +91,7 @@ class Ensemble {
 
   void realise_all() {
     for (std::uint32_t k = 0; k < results_.done.size(); ++k) {
-      if (results_.done[k] == 0) waiting_.push_back(k);
+      if (mine(k) && results_.done[k] == 0) waiting_.push_back(k);
     }
     if (waiting_.empty()) return;
     const auto workers = std::min<std::size_t>(waiting_.size(), static_cast<std::size_t>(options_.threads));

@@ -13,7 +13,8 @@ struct EnsembleOptions {
   std::filesystem::path output;
   std::uint32_t realisations = 1;
   int threads = 1;
-  bool resume = false;  // go on from the finished realisations that `output` holds
+  std::uint32_t part = 0, parts = 1;  // realise only k with k modulo parts == part
+  bool resume = false;                // go on from the finished realisations that `output` holds
   double write_interval =
       10;  // [s] of wall time between two writes of the file, at least; longer where writing is slow
   ProgressBar::Style progress = ProgressBar::Style::quiet;
@@ -22,9 +23,9 @@ struct EnsembleOptions {
 
 struct EnsembleEnd {
   bool interrupted = false;
-  std::size_t done = 0, wanted = 0;
-  bool balanced = true;  // the ledger of every finished realisation
-  double seconds = 0;    // wall time
+  std::size_t done = 0, wanted = 0;  // of all parts
+  bool balanced = true;              // the ledger of every finished realisation
+  double seconds = 0;                // wall time
 };
 
 // The result is the same to the bit for any number of threads and any division into sessions. The file is written

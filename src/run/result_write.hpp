@@ -11,7 +11,7 @@
 namespace shmoo::run {
 
 struct Status {
-  std::string word;     // "running", "done", "interrupted", "failed"
+  std::string word;     // "running", "done", "part" (only one was asked for), "interrupted", "failed"
   std::string message;  // why it failed; else empty
 };
 

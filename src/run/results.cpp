@@ -40,6 +40,34 @@ std::size_t Results::done_count() const {
   return static_cast<std::size_t>(std::count(done.begin(), done.end(), std::uint8_t{1}));
 }
 
+void Results::merge(const Results& part) {
+  const auto take = [](std::vector<double>& known, const std::vector<double>& came) {
+    if (known.empty()) known = came;
+  };
+  for (std::size_t f = 0; f < blocks.size(); ++f) {
+    take(shared_fields[f], part.shared_fields[f]);
+    for (std::size_t t = 0; t < blocks[f].size(); ++t) {
+      blocks[f][t].sums.merge(part.blocks[f][t].sums);
+      blocks[f][t].histograms.merge(part.blocks[f][t].histograms);
+    }
+  }
+  for (std::size_t o = 0; o < values.size(); ++o) take(shared_observables[o], part.shared_observables[o]);
+  const auto copy_row = [](const auto& from, auto& to, std::size_t k, std::size_t rows) {
+    const auto width = static_cast<std::ptrdiff_t>(to.size() / rows), at = static_cast<std::ptrdiff_t>(k) * width;
+    std::copy_n(from.begin() + at, width, to.begin() + at);
+  };
+  for (std::size_t k = 0; k < done.size(); ++k) {
+    if (part.done[k] == 0) continue;
+    for (std::size_t o = 0; o < values.size(); ++o) copy_row(part.values[o], values[o], k, done.size());
+    copy_row(part.counts, counts, k, done.size());
+    copy_row(part.amounts, amounts, k, done.size());
+    balanced[k] = part.balanced[k];
+    reaction_events[k] = part.reaction_events[k];
+    jump_events[k] = part.jump_events[k];
+    done[k] = 1;
+  }
+}
+
 Collector::Collector(Results& results) : results_(results) {
   const auto locks = results.layout.fields.size() * results.layout.times.size();
   for (std::size_t i = 0; i < locks; ++i) block_locks_.push_back(std::make_unique<std::mutex>());

@@ -24,6 +24,8 @@ struct Results {
   Results(coupling::RecordLayout record_layout, std::size_t species_count, std::size_t realisations);
 
   std::size_t done_count() const;
+  // Takes over the finished realisations of a part with the same layout, none of which may be done here.
+  void merge(const Results& part);
   bool complete() const { return done_count() == done.size(); }
 
   coupling::RecordLayout layout;

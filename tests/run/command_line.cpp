@@ -28,6 +28,11 @@ class CommandLine : public ::testing::Test {
       for (const auto& [path, value] : overrides) scene.text += "# " + path + " = " + value + "\n";
       return scene;
     };
+    workshop.read_text = [](const std::string& text, const std::string&) {
+      auto scene = FakeExperiment().scene();
+      scene.text = text;
+      return scene;
+    };
     workshop.make = [this](scene::Scene scene) {
       auto experiment = std::make_unique<FakeExperiment>();
       experiment->scene_ = std::move(scene);
@@ -154,6 +159,38 @@ TEST_F(CommandLine, FailuresEndWith2AndSayWhereTheLastGoodStateIs) {
   EXPECT_NE(failed.err.find("error: realisation 3: the step fell below 1e-12 s"), std::string::npos) << failed.err;
   EXPECT_NE(failed.err.find("keeps 3 finished realisations of 6"), std::string::npos) << failed.err;
   EXPECT_NE(call({"info", out()}).out.find("failed: realisation 3"), std::string::npos);
+}
+
+TEST_F(CommandLine, PartsOfAnEnsembleMakeTheWhole) {
+  const auto run = [&](const std::string& part, const std::string& name) {
+    return call({"run", "m.toml", "-o", out(name), "-n", "7", "--part", part, "--quiet"});
+  };
+  EXPECT_EQ(call({"run", "m.toml", "-o", out("whole.h5"), "-n", "7", "--quiet"}).code, exit_done);
+  for (const std::string part : {"1", "2", "3"}) EXPECT_EQ(run(part + "/3", part + ".h5").code, exit_done);
+  EXPECT_EQ(glance_at(out("1.h5")).status, "part");
+  EXPECT_EQ(glance_at(out("1.h5")).done, 3u);
+  EXPECT_EQ(call({"merge", out("3.h5"), out("1.h5"), out("2.h5"), "-o", out("all.h5")}).code, exit_done);
+  EXPECT_EQ(glance_at(out("all.h5")).status, "done");
+  const auto same = "h5diff --exclude-path=/provenance '" + out("all.h5") + "' '" + out("whole.h5") + "' >/dev/null";
+  EXPECT_EQ(std::system(same.c_str()), 0);
+
+  EXPECT_EQ(call({"merge", out("1.h5"), out("3.h5"), "-o", out("some.h5")}).code, exit_done);
+  EXPECT_EQ(glance_at(out("some.h5")).status, "part");
+  EXPECT_EQ(call({"run", "m.toml", "-o", out("some.h5"), "--resume", "--quiet"}).code, exit_done);
+  EXPECT_EQ(glance_at(out("some.h5")).status, "done");
+}
+
+TEST_F(CommandLine, PartsThatDoNotFitAreRefused) {
+  EXPECT_EQ(call({"run", "m.toml", "-o", out("1.h5"), "-n", "4", "--part", "1/2", "--quiet"}).code, exit_done);
+  EXPECT_EQ(call({"run", "m.toml", "-o", out("s.h5"), "-n", "4", "--part", "2/2", "--seed", "9", "--quiet"}).code, 0);
+  expect_error({"merge", out("1.h5"), out("1.h5"), "-o", out("a.h5")},
+               "holds realisation 0, which a part named before");
+  expect_error({"merge", out("1.h5"), out("s.h5"), "-o", out("a.h5")}, "it was made with seed 9");
+  expect_error({"merge", out("none.h5"), "-o", out("a.h5")}, "none.h5");
+  expect_error({"merge", out("1.h5"), "-o", out("1.h5")}, "exists; --force replaces it");
+  EXPECT_FALSE(std::filesystem::exists(out("a.h5")));
+  for (const std::string part : {"3", "0/2", "3/2", "1/", "a/b"})
+    expect_error({"run", "m.toml", "-o", out("p.h5"), "--part", part}, "--part");
 }
 
 TEST_F(CommandLine, PlotAndExportSayWhatTheyCannotDo) {

@@ -16,7 +16,7 @@ namespace shmoo::run {
 namespace {
 
 struct Wish {
-  std::string model, output, realisations, seed, threads;
+  std::string model, output, realisations, seed, threads, part;
   std::vector<std::string> settings;
   bool resume = false, force = false, quiet = false;
 };
@@ -50,6 +50,7 @@ std::string command_to_go_on(const Wish& wish, const std::filesystem::path& outp
   std::vector<std::string> words{"shmoo", "run", wish.model, "-o", output.string(), "-n", std::to_string(realisations)};
   if (!wish.seed.empty()) words.insert(words.end(), {"--seed", std::to_string(seed)});
   if (!wish.threads.empty()) words.insert(words.end(), {"--threads", wish.threads});
+  if (!wish.part.empty()) words.insert(words.end(), {"--part", wish.part});
   for (const auto& setting : wish.settings) words.insert(words.end(), {"--set", setting});
   words.emplace_back("--resume");
   return shell_line(words);
@@ -73,6 +74,22 @@ int finish(const EnsembleEnd& end, const Wish& wish, const std::filesystem::path
   return exit_done;
 }
 
+struct Part {
+  std::uint32_t number = 1, of = 1;
+};
+
+Part part_of(const std::string& text) {
+  if (text.empty()) return {};
+  const auto slash = std::min(text.find('/'), text.size());
+  const auto of = slash < text.size() ? text.substr(slash + 1) : std::string();
+  if (of.empty())
+    throw base::InputError(fmt::format("--part {}: give I/K, the number of this part and of all, like 2/4", text));
+  Part part;
+  part.of = static_cast<std::uint32_t>(whole_number("--part I/K: K", of, 1, base::sample_limit));
+  part.number = static_cast<std::uint32_t>(whole_number("--part I/K: I", text.substr(0, slash), 1, part.of));
+  return part;
+}
+
 int run_model(const Wish& wish, const Workshop& workshop) {
   const auto output = output_of(wish);
   auto scene = workshop.read(wish.model, overrides_of(wish.settings));
@@ -82,6 +99,7 @@ int run_model(const Wish& wish, const Workshop& workshop) {
       wish.threads.empty() ? omp_get_max_threads() : static_cast<int>(whole_number("--threads", wish.threads, 1, 4096));
   auto realisations = static_cast<std::uint64_t>(scene.run.realisations);
   if (!wish.realisations.empty()) realisations = whole_number("-n", wish.realisations, 1, base::sample_limit);
+  const auto part = part_of(wish.part);
   const auto held = look_at_output(output, wish);
   if (wish.resume && held && wish.realisations.empty()) realisations = held->realisations;
   const auto seed = scene.run.seed;
@@ -94,6 +112,8 @@ int run_model(const Wish& wish, const Workshop& workshop) {
   const EnsembleOptions options{.output = output,
                                 .realisations = static_cast<std::uint32_t>(realisations),
                                 .threads = threads,
+                                .part = part.number - 1,
+                                .parts = part.of,
                                 .resume = wish.resume && held,
                                 .progress = ProgressBar::style_for(wish.quiet),
                                 .command = go_on};
@@ -121,6 +141,8 @@ void declare_run(CLI::App& app, Desk& desk) {
   verb->add_option("-o,--output", wish->output, "the result file [the model's name with .h5, in the current folder]");
   verb->add_option("-n,--realisations", wish->realisations, "how many realisations [what the model says]");
   verb->add_option("--seed", wish->seed, "seed of all random numbers [what the model says]");
+  verb->add_option("--part", wish->part,
+                   "I/K: only every K-th realisation, from the I-th on; 'shmoo merge' joins parts");
   verb->add_option("--threads", wish->threads, "threads to use [all]; never changes a result");
   verb->add_option("--set", wish->settings, "path=value: replace a value of the model; may be repeated")
       ->take_all()

@@ -60,7 +60,9 @@ void WallFit<D>::prepare(State<D>& state, const sph::Surface<D>& surface, bool a
     const bool rigid = particles.role[i] == sph::Role::wall || particles.role[i] == sph::Role::still;
     if (!rigid) continue;
     const auto point = surface.nearest(particles.position[i], state.rows.cutoff());
-    if (!point || (away_from_edges && !surface.smooth_about(*point, state.scales.reach))) continue;
+    // Around a ball smaller than the reach the fit would see fluid on all sides of it.
+    if (!point || std::abs(point->curvature) * state.scales.reach > 1.0) continue;
+    if (away_from_edges && !surface.smooth_about(*point, state.scales.reach)) continue;
     (*normal_)[i] = point->normal;
     (*depth_)[i] = (point->place - particles.position[i]).dot(point->normal);
     (*curvature_)[i] = point->curvature;

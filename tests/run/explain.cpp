@@ -50,7 +50,8 @@ TEST(Explain, TellsTheNumbersOfTheYeastGradientAsPublished) {
 
 TEST(Explain, SaysWhatAutoDecidesAndWhatTheRuleWouldSay) {
   const auto report = told("validation/thermal-noise/model.toml",
-                           {"--set", "effects.default=auto", "--set", "effects.thermal_noise=\"auto\""});
+                           {"--set", "effects.default=auto", "--set", "effects.thermal_noise=\"auto\"", "--set",
+                            "effects.transport_velocity=false"});
   const auto noise = entry(report.at("decisions"), "key", "effects.thermal_noise");
   EXPECT_EQ(noise.at("value"), "on");
   EXPECT_TRUE(noise.at("auto").get<bool>());

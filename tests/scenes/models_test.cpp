@@ -49,6 +49,7 @@ const std::map<std::string, std::string> short_time{
     {"validation/lid-driven-cavity/model.toml", "0.01 s"},
     {"validation/natural-convection/model.toml", "0.02 s"},
     {"validation/poiseuille/model.toml", "0.01 s"},
+    {"validation/slow-channel/model.toml", "0.01 s"},
     {"validation/reversible-binding/model.toml", "0.01 s"},
     {"validation/taylor-green/model.toml", "0.01 s"},
     {"validation/thermal-noise/model.toml", "0.001 s"},

@@ -11,7 +11,7 @@
 namespace shmoo::coupling {
 namespace {
 
-constexpr double day = 86400.0, year = 365.25 * day;  // [s]
+constexpr double day = 86400.0, month = 30.0 * day;  // [s]
 
 const char* whose(const Pace& pace) { return pace.measured ? "measured here" : "more than machines do"; }
 
@@ -26,7 +26,7 @@ Limit flow_time(const scene::Scene& scene, const Numbers& numbers, const Pace& p
   return {"days of computing the flow",
           seconds / day,
           1.0,
-          year / day,
+          month / day,
           fmt::format("{:.3g} s at {:.3g} s a step ({}) are {:.3g} steps, x {} particles x {:g} runs at {:.2g} "
                       "particle-steps a second ({}) are {:.3g} days",
                       until, numbers.flow.step, numbers.flow.step_rule, steps, numbers.particles, runs,
@@ -42,7 +42,7 @@ Limit solid_time(const scene::Scene& scene, const Numbers& numbers, const Pace& 
       "days of computing the solids",
       seconds / day,
       1.0,
-      year / day,
+      month / day,
       fmt::format("{:.3g} s at {:.3g} s a step (elastic waves) are {:.3g} steps, x {} particles at {:.2g} "
                   "particle-steps a second ({}) are {:.3g} days",
                   scene.run.until, numbers.solid_step, steps, numbers.voxels, pace.particle_steps, whose(pace),
@@ -71,7 +71,7 @@ Limit event_time(const scene::Scene& scene, const Numbers& numbers, const Pace& 
       "days of drawing events",
       events / pace.events / day,
       1.0,
-      year / day,
+      month / day,
       fmt::format("{:.3g} events a second x {:.3g} s x {} realisations at {:.2g} events a second ({}) are {:.3g} days",
                   rate, scene.run.until, scene.run.realisations, pace.events, whose(pace), events / pace.events / day),
       "set numerics.sampler to \"split\", whose cost does not grow with the molecules",

@@ -25,6 +25,20 @@ void write_model(hid_t file, const Description& description) {
   h5::write_text(file, "/model/text", scene.text);
 }
 
+const char* name_of(scene::MaterialType type) {
+  switch (type) {
+    case scene::MaterialType::fluid:
+      return "fluid";
+    case scene::MaterialType::wall:
+      return "wall";
+    case scene::MaterialType::solid:
+      return "solid";
+    case scene::MaterialType::still:
+      break;
+  }
+  return "still";
+}
+
 void write_particles(hid_t file, const Description& description) {
   const auto count = description.material.size();
   std::vector<std::int64_t> id(count);
@@ -35,10 +49,7 @@ void write_particles(hid_t file, const Description& description) {
   for (const auto& material : description.scene.materials) names.push_back(material.name);
   h5::write_texts(file, "/particles/material_names", names);
   h5::Strings types;
-  for (const auto& material : description.scene.materials) {
-    using enum scene::MaterialType;
-    types.emplace_back(material.type == fluid ? "fluid" : material.type == wall ? "wall" : "still");
-  }
+  for (const auto& material : description.scene.materials) types.emplace_back(name_of(material.type));
   h5::write_texts(file, "/particles/material_types", types);
   std::vector<double> flat;
   for (const auto& position : description.start_position) flat.insert(flat.end(), position.begin(), position.end());

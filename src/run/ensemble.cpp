@@ -1,6 +1,7 @@
 #include "run/ensemble.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -150,6 +151,7 @@ class Ensemble {
         provenance_.cpu_seconds_per_realisation = (cpu_seconds() - cpu_before_) / static_cast<double>(finished);
       write_result(options_.output, description_, results, status, provenance_);
     });
+    malloc_trim(0);  // the library has filled caches and freed them
     written_ = Clock::now();
     writing_took_ = seconds_since(start);
   }

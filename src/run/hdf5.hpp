@@ -61,7 +61,7 @@ template <class T>
 concept Number = std::same_as<T, double> || std::same_as<T, std::int64_t> || std::same_as<T, std::uint64_t> ||
     std::same_as<T, std::uint32_t> || std::same_as<T, std::int32_t> || std::same_as<T, std::uint8_t>;
 
-// Datasets larger than a few kilobytes are chunked and compressed.
+// Datasets larger than a few kilobytes are chunked and compressed. Real numbers that were never written are NaN.
 template <Number T>
 Handle make_dataset(hid_t parent, const std::string& path, const Dims& dims);
 template <Number T>

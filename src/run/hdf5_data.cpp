@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "run/hdf5.hpp"
 
@@ -46,6 +47,8 @@ Handle create(hid_t parent, const std::string& path, hid_t type, const Dims& dim
   check(H5Pset_create_intermediate_group(on_the_way, 1), doing);
   const Handle how(H5Pcreate(H5P_DATASET_CREATE), doing);
   check(H5Pset_obj_track_times(how, false), doing);
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (type == H5T_NATIVE_DOUBLE) check(H5Pset_fill_value(how, type, &nothing), doing);
   if (compress && volume(dims) > 512) {
     const auto chunk = chunk_of(dims);
     check(H5Pset_chunk(how, static_cast<int>(chunk.size()), chunk.data()), doing);

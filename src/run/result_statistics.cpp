@@ -40,10 +40,11 @@ void set_homes(hid_t object, const FieldInfo& info, const scene::Scene& scene) {
 
 void write_shared_field(hid_t file, const FieldInfo& info, const scene::Scene& scene, std::size_t times,
                         const std::vector<double>& data) {
-  // Before the shared part is computed there is nothing to show: NaN.
+  // Before the shared part is computed there is nothing to show.
   const auto dims = shape_of(info, times);
-  const auto values = data.empty() ? std::vector<double>(h5::volume(dims), no_number) : data;
-  const auto dataset = h5::write<double>(file, "/fields/" + info.name, dims, values);
+  const auto name = "/fields/" + info.name;
+  const auto dataset =
+      data.empty() ? h5::make_dataset<double>(file, name, dims) : h5::write<double>(file, name, dims, data);
   h5::set(dataset, "unit", info.unit);
   set_homes(dataset, info, scene);
 }
@@ -133,8 +134,9 @@ void write_observable(hid_t file, const FieldInfo& info, const Results& results,
   const auto times = results.layout.times.size();
   const auto size = times * cells(info);
   // What all realisations share is one row of values, known from the start.
-  std::vector<double> values = info.shared ? results.shared_observables[o] : results.values[o];
-  if (info.shared && values.empty()) values.assign(size, no_number);
+  const auto& known = info.shared ? results.shared_observables[o] : results.values[o];
+  const std::vector<double> nothing(known.empty() ? size : 0, no_number);
+  const auto& values = known.empty() ? nothing : known;
   const auto rows = info.shared ? std::vector<std::uint8_t>{1} : results.done;
   const auto summary = summarise(values, size, rows, probabilities);
 

@@ -73,9 +73,9 @@ Collector::Collector(Results& results) : results_(results) {
   for (std::size_t i = 0; i < locks; ++i) block_locks_.push_back(std::make_unique<std::mutex>());
 }
 
-void Collector::share(const Recorder& recorded) {
-  const auto take = [](std::vector<double>& known, const std::vector<double>& came) {
-    if (known.empty()) known = came;
+void Collector::share(Recorder& recorded) {
+  const auto take = [](std::vector<double>& known, std::vector<double>& came) {
+    if (known.empty()) known = std::move(came);
   };
   const std::unique_lock lock(adding_);
   for (std::size_t f = 0; f < recorded.shared_fields.size(); ++f)

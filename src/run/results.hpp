@@ -46,8 +46,8 @@ class Collector {
  public:
   explicit Collector(Results& results);
 
-  // Takes over what all realisations share, unless it is known. Thread-safe.
-  void share(const Recorder& recorded);
+  // Takes what all realisations share out of the recorder, unless it is known. Thread-safe.
+  void share(Recorder& recorded);
 
   // Adds realisation k. Thread-safe.
   void add(std::uint32_t k, const Recorder& recorded, const coupling::Outcome& outcome);

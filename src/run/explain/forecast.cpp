@@ -63,6 +63,15 @@ double kept_intervals(const scene::Scene& scene, const coupling::Numbers& number
   return std::ceil(moving * (1.0 - 1e-9)) + (forecast.steady ? 2.0 : 1.0);
 }
 
+// Seconds of the whole, from its beginning. The first interval may take longer than others and comes once.
+double at_that_pace(const std::vector<Moment>& moments, double told) {
+  if (moments.empty()) return told;
+  const auto &first = moments.front(), &last = moments.back();
+  if (!(last.fraction > first.fraction)) return last.fraction > 0.0 ? last.seconds / last.fraction : told;
+  const double pace = (last.seconds - first.seconds) / (last.fraction - first.fraction);
+  return first.seconds + pace * (1.0 - first.fraction);
+}
+
 void add_times(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts* flow,
                const Play& play, const Rehearsal& rehearsal, Forecast& forecast) {
   const double played = play.scene.run.until / scene.run.until;
@@ -88,13 +97,11 @@ double sum(const Parts& parts) {
   return bytes;
 }
 
-// What the run holds all the time, and the larger of what it holds while it prepares and while it realises and writes.
-void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts* flow,
-                const Play& play, const Rehearsal& rehearsal, const coupling::RecordLayout& layout,
-                std::size_t idle_bytes, Forecast& forecast) {
-  const bool own_flow = scene.effects.flow && scene.effects.thermal_noise;  // every realisation has its own
-  const double workers = anything_random(scene) ? std::min(forecast.threads, scene.run.realisations) : 0;
-  const double flow_bytes = flow ? double(flow->column_bytes + flow->row_bytes) : 0.0;
+// What the run holds all the time, and the largest of what it holds while it prepares, realises and writes.
+void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, const Play& play,
+                const Rehearsal& rehearsal, const coupling::RecordLayout& layout, std::size_t idle_bytes,
+                Forecast& forecast) {
+  const double workers = anything_random(scene) ? std::min(forecast.threads, scene.run.realisations) : 1;
   const auto filled = [&](const coupling::FieldInfo& info) {
     for (const auto& one : numbers.species)
       if (one.name == info.name) return double(one.home) / double(numbers.voxels);
@@ -103,20 +110,20 @@ void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, con
   double more = 1.0;  // intervals kept over intervals rehearsed
   if (play.kind == Kind::carried) more = kept_intervals(scene, numbers, forecast) / carried_intervals;
   if (play.kind == Kind::shortened) more = scene.run.until / play.scene.run.until;
-  const double voxels = scene.species.empty() ? 0.0 : more * double(rehearsal.state_bytes + rehearsal.shared_bytes);
+  const double recorded = recorder_bytes(layout, false);
   Parts parts{{"program and libraries", double(idle_bytes)},
               {"particles, network, records of their places", double(rehearsal.experiment_bytes)},
               {"statistics of all realisations", results_bytes(layout, scene.run.realisations, filled)},
-              {"voxels and jump tables of the intervals", voxels}};
-  const Parts preparing{{"the flow's columns and pairs", own_flow ? 0.0 : flow_bytes},
-                        {"what all realisations record", recorder_bytes(layout, true)}};
-  // The record of the last one is gone when the result is written in the end.
-  const Parts realising{
-      {"the flow's columns and pairs", own_flow ? workers * flow_bytes : 0.0},
-      {"what realisations under way record", std::max(0.0, workers - 1.0) * recorder_bytes(layout, false)},
-      {"writing the result", writing_bytes(layout)}};
-  const auto& larger = sum(preparing) > sum(realising) ? preparing : realising;
-  parts.insert(parts.end(), larger.begin(), larger.end());
+              {"voxels and jump tables of the intervals", more * double(rehearsal.kept_bytes)},
+              {"the library that writes the result", library_bytes}};
+  const Parts preparing{{"what is shared, under way", rehearsal.preparing_bytes}};
+  const Parts realising{{"realisations under way", workers * rehearsal.realising_bytes},
+                        {"what they record", workers * recorded}};
+  const Parts writing{{"what realisations under way record", (workers - 1.0) * recorded},
+                      {"writing the result", writing_bytes(layout)}};
+  const auto& largest =
+      std::max({preparing, realising, writing}, [](const auto& a, const auto& b) { return sum(a) < sum(b); });
+  parts.insert(parts.end(), largest.begin(), largest.end());
   for (const auto& [name, bytes] : parts)
     if (bytes >= 1.0) forecast.memory.emplace_back(name, std::size_t(bytes));
   forecast.bytes = std::size_t(sum(parts));
@@ -148,10 +155,9 @@ Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbe
     rehearsal = rehearse(play.scene, make, budget);
   }
   forecast.how = told(play.kind);
-  if (!rehearsal.prepared && rehearsal.prepared_fraction > 0.0)
-    rehearsal.prepare_seconds /= rehearsal.prepared_fraction;
+  if (!rehearsal.prepared) rehearsal.prepare_seconds = at_that_pace(rehearsal.preparing, rehearsal.prepare_seconds);
   add_times(scene, numbers, costs, play, rehearsal, forecast);
-  add_memory(scene, numbers, costs, play, rehearsal, make(scene)->layout(), idle.bytes, forecast);
+  add_memory(scene, numbers, play, rehearsal, make(scene)->layout(), idle.bytes, forecast);
   return forecast;
 }
 

@@ -33,8 +33,8 @@ struct Forecast {
 
 // The scene must be decided.
 Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbers,
-                       const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads,
-                       const Idle& idle, double budget);
+                       const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads, const Idle& idle,
+                       double budget);
 
 // CPU time of a whole realisation from its first part, and what of that part only the first realisation pays: listing
 // the jumps of moving and of standing voxels. The pace may change linearly until the fraction `until_even`.

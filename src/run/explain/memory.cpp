@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <string>
 
 #include "run/recorder.hpp"
 
@@ -20,6 +21,31 @@ std::size_t resident_bytes() {
   std::size_t pages = 0, resident = 0;
   statm >> pages >> resident;
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+namespace {
+
+std::size_t highest_resident_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::size_t kilobytes = 0;
+    if (word == "VmHWM:" && status >> kilobytes) return kilobytes * 1024;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Peak::Peak() {
+  malloc_trim(0);  // freed pages are to count when they are used again
+  std::ofstream mark("/proc/self/clear_refs");
+  mark << 5 << std::flush;
+  marked_ = mark.good();
+  start_ = resident_bytes();
+}
+
+std::size_t Peak::bytes() const {
+  return std::max(start_, marked_ ? highest_resident_bytes() : resident_bytes()) - start_;
 }
 
 double results_bytes(const coupling::RecordLayout& layout, double realisations, const Filled& filled) {
@@ -45,11 +71,14 @@ double recorder_bytes(const coupling::RecordLayout& layout, bool shared) {
 }
 
 double writing_bytes(const coupling::RecordLayout& layout) {
-  constexpr double library = 11e6, a_value = 85;  // measured with HDF5 1.10: caches of the datasets of one field
+  constexpr double buffers = 2e6, a_value = 85;    // measured with HDF5 1.10
+  constexpr double cache = 16u << 20, number = 8;  // of a dataset (hdf5_data.cpp)
   double largest = 0;
-  for (const auto& info : layout.fields)
-    if (!info.shared) largest = std::max(largest, double(cells(info) * layout.times.size()));
-  return library + a_value * largest;
+  for (const auto& info : layout.fields) {
+    const double values = double(cells(info) * layout.times.size());
+    largest = std::max(largest, info.shared ? std::min(cache, number * values) : a_value * values);
+  }
+  return buffers + largest;
 }
 
 }  // namespace shmoo::run

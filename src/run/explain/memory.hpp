@@ -10,6 +10,18 @@ namespace shmoo::run {
 std::size_t heap_bytes();      // allocated and not freed
 std::size_t resident_bytes();  // in memory, libraries included
 
+// The most that is in memory at a time beyond what there was at the start, counted in whole pages. Where the system
+// cannot set its mark anew (Linux does in /proc/self/clear_refs), what there is when asked counts.
+class Peak {
+ public:
+  Peak();
+  std::size_t bytes() const;
+
+ private:
+  bool marked_;
+  std::size_t start_;
+};
+
 // Of all finished realisations together (results.hpp). `filled(info)` is the part of a field's values that differ
 // between realisations at all: a species' share of voxels.
 using Filled = std::function<double(const coupling::FieldInfo&)>;
@@ -18,7 +30,8 @@ double results_bytes(const coupling::RecordLayout& layout, double realisations, 
 // Of what one realisation, or what all share, keeps until it has ended (recorder.hpp).
 double recorder_bytes(const coupling::RecordLayout& layout, bool shared);
 
-// Of writing the result: the HDF5 library's code and buffers, and its caches for the datasets of the largest field.
+// Of the HDF5 library once something has been written, and of its buffers and caches while it writes.
+constexpr double library_bytes = 7.2e6;  // measured with HDF5 1.10
 double writing_bytes(const coupling::RecordLayout& layout);
 
 }  // namespace shmoo::run

@@ -16,6 +16,7 @@ constexpr std::size_t moments_to_see = 8;
 constexpr double part_for_flow = 0.4;  // of the budget; a longer flow is left out
 constexpr double patience = 2;         // budgets
 constexpr double finest = 256;         // parts into which a play is cut to see its course
+constexpr int most_realisations = 20;
 
 // The velocity that drives the fluid, wherever it is driven.
 scene::Point plug_velocity(const scene::Scene& scene, double speed) {
@@ -47,6 +48,97 @@ bool only_sampled(const scene::Scene& scene) {
                       [](const auto& species) { return species.method != scene::SpeciesMethod::stochastic; });
 }
 
+// Plays what realisations share, and one of them, and looks how much memory either takes.
+class Player {
+ public:
+  Player(const scene::Scene& scene, const Maker& make, double budget)
+      : scene_(scene), budget_(budget), before_(heap_bytes()), experiment_(make(scene)), made_(heap_bytes()) {
+    result_.experiment_bytes = made_ - before_;
+  }
+
+  Rehearsal play() {
+    begin_ = base::cpu_seconds();
+    prepare();
+    if (!result_.prepared) return result_;
+    realise();
+    if (!result_.finished && !rdme::takes_turns(scene_.numerics.sampler)) foretell();
+    realise_others();
+    return result_;
+  }
+
+ private:
+  // Not before the pace can be seen, unless that takes too long.
+  bool enough() const {
+    const double elapsed = base::cpu_seconds() - begin_;
+    const bool seen = !result_.prepared || result_.realised.size() >= moments_to_see;
+    return elapsed > (seen ? budget_ : patience * budget_);
+  }
+
+  // What a part of the play took in memory at most, less what it has left behind and what it recorded.
+  double passing(const Peak& peak, bool shared) {
+    const auto kept = heap_bytes() - made_;
+    const double grown = double(kept - std::min(kept, result_.kept_bytes));
+    result_.kept_bytes = std::max(result_.kept_bytes, kept);
+    return std::max(0.0, double(peak.bytes()) - grown - recorder_bytes(experiment_->layout(), shared));
+  }
+
+  void prepare() {
+    const Peak peak;
+    const double start = base::cpu_seconds();
+    {
+      coupling::Progress progress{[&] { return enough(); },
+                                  [&](double f) {
+                                    result_.preparing.push_back({f, base::cpu_seconds() - start});
+                                  }};
+      Recorder recorder(experiment_->layout(), Recorder::Source::preparation);
+      result_.prepared = experiment_->prepare(recorder, progress);
+    }
+    result_.prepare_seconds = base::cpu_seconds() - start;
+    result_.preparing_bytes = passing(peak, true);
+  }
+
+  void realise() {
+    const Peak peak;
+    const double start = base::cpu_seconds();
+    {
+      coupling::Progress progress{[&] { return enough(); },
+                                  [&](double f) {
+                                    result_.realised.push_back({f, base::cpu_seconds() - start});
+                                  }};
+      Recorder recorder(experiment_->layout(), Recorder::Source::realisation);
+      coupling::Outcome outcome;
+      result_.finished = experiment_->realise(0, recorder, progress, outcome);
+    }
+    result_.closing_seconds =
+        base::cpu_seconds() - start - (result_.realised.empty() ? 0.0 : result_.realised.back().seconds);
+    result_.realising_bytes = passing(peak, false);
+  }
+
+  void foretell() {
+    const double start = base::cpu_seconds();
+    result_.activity = experiment_->activity([&] { return base::cpu_seconds() - start > budget_; });
+  }
+
+  void realise_others() {
+    const int last = std::min(experiment_->scene().run.realisations, most_realisations);
+    const coupling::Progress progress{[&] { return enough(); }, {}};
+    for (int k = 1; result_.finished && !enough() && k < last; ++k) {
+      const double start = base::cpu_seconds();
+      Recorder recorder(experiment_->layout(), Recorder::Source::realisation);
+      coupling::Outcome outcome;
+      if (experiment_->realise(std::uint32_t(k), recorder, progress, outcome))
+        result_.others.push_back(base::cpu_seconds() - start);
+    }
+  }
+
+  const scene::Scene& scene_;
+  double budget_, begin_ = 0;
+  std::size_t before_;
+  std::unique_ptr<coupling::Experiment> experiment_;
+  std::size_t made_;
+  Rehearsal result_;
+};
+
 }  // namespace
 
 Play choose_play(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts* flow,
@@ -72,51 +164,7 @@ Play choose_play(const scene::Scene& scene, const coupling::Numbers& numbers, co
 }
 
 Rehearsal rehearse(const scene::Scene& scene, const Maker& make, double budget) {
-  Rehearsal result;
-  const auto before = heap_bytes();
-  const auto experiment = make(scene);
-  const auto made = heap_bytes();
-  result.experiment_bytes = made - before;
-  const double begin = base::cpu_seconds();
-  const auto stop = [&] {  // not before the pace can be seen, unless that takes too long
-    const double elapsed = base::cpu_seconds() - begin;
-    const bool seen = !result.prepared || result.realised.size() >= moments_to_see;
-    return elapsed > (seen ? budget : patience * budget);
-  };
-  coupling::Progress progress{stop, {}};
-  {
-    const double start = base::cpu_seconds();
-    progress.report = [&](double fraction) { result.prepared_fraction = fraction; };
-    Recorder recorder(experiment->layout(), Recorder::Source::preparation);
-    result.prepared = experiment->prepare(recorder, progress);
-    result.prepare_seconds = base::cpu_seconds() - start;
-  }
-  result.shared_bytes = heap_bytes() - made;
-  if (!result.prepared) return result;
-  const auto prepared = heap_bytes();
-  const double start = base::cpu_seconds();
-  std::size_t peak = prepared;
-  progress.report = [&](double fraction) {
-    result.realised.push_back({fraction, base::cpu_seconds() - start});
-    if (result.realised.size() < 4) peak = std::max(peak, heap_bytes());
-  };
-  Recorder recorder(experiment->layout(), Recorder::Source::realisation);
-  coupling::Outcome outcome;
-  result.finished = experiment->realise(0, recorder, progress, outcome);
-  result.closing_seconds =
-      base::cpu_seconds() - start - (result.realised.empty() ? 0.0 : result.realised.back().seconds);
-  result.state_bytes = peak - prepared;
-  progress.report = {};
-  if (!result.finished && !rdme::takes_turns(scene.numerics.sampler)) {
-    const double begin_to_foretell = base::cpu_seconds();
-    result.activity = experiment->activity([&] { return base::cpu_seconds() - begin_to_foretell > budget; });
-  }
-  for (std::uint32_t k = 1; result.finished && !stop() && int(k) < std::min(experiment->scene().run.realisations, 20);
-       ++k) {
-    const double again = base::cpu_seconds();
-    if (experiment->realise(k, recorder, progress, outcome)) result.others.push_back(base::cpu_seconds() - again);
-  }
-  return result;
+  return Player(scene, make, budget).play();
 }
 
 }  // namespace shmoo::run

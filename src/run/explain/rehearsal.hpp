@@ -27,19 +27,20 @@ Play choose_play(const scene::Scene& scene, const coupling::Numbers& numbers, co
 
 struct Moment {
   double fraction = 0;  // of the time played
-  double seconds = 0;   // CPU time since the realisation began
+  double seconds = 0;   // CPU time since the beginning
 };
 
 struct Rehearsal {
-  double prepare_seconds = 0;      // CPU time of what realisations share
-  bool prepared = false;           // else stopped ...
-  double prepared_fraction = 0;    // ... here
-  std::vector<Moment> realised{};  // of realisation 0, after every interval
-  double closing_seconds = 0;      // CPU time after the last of them
+  double prepare_seconds = 0;       // CPU time of what realisations share
+  bool prepared = false;            // else stopped
+  std::vector<Moment> preparing{};  // of what realisations share, after every interval
+  std::vector<Moment> realised{};   // of realisation 0, after every interval
+  double closing_seconds = 0;       // CPU time after the last of them
   bool finished = false;
-  std::vector<double> activity{};  // [1/s] in equal parts of the time played; empty: not foretold
-  std::vector<double> others{};    // CPU time of further realisations, where the first was short
-  std::size_t experiment_bytes = 0, shared_bytes = 0, state_bytes = 0;  // heap: made, prepared, in a realisation
+  std::vector<double> activity{};                    // [1/s] in equal parts of the time played; empty: not foretold
+  std::vector<double> others{};                      // CPU time of further realisations, where the first was short
+  std::size_t experiment_bytes = 0, kept_bytes = 0;  // of the experiment itself, and of what it has come to keep
+  double preparing_bytes = 0, realising_bytes = 0;   // at most, besides these and what is recorded
 };
 
 using Maker = std::function<std::unique_ptr<coupling::Experiment>(scene::Scene scene)>;

@@ -28,6 +28,7 @@ struct FlowPicture {
   double temperature = 0;                        // [J], kT
   double density_error = 0;                      // max |rho/rho0 - 1|
   double min_distance = 0;                       // smallest distance of two fluid particles, in spacings
+  double bounces = 0;                            // particles thrown back at walls so far
   std::vector<base::Vec<D>> displacement;        // [m] of solids, 0 elsewhere; empty where there are none
   double elastic_energy = 0, solid_energy = 0;   // [J] of solids: elastic; elastic and kinetic
   std::vector<double> loads;                     // [N], [N m] by observable, where that is a force or torque on a wall

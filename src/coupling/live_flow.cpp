@@ -72,6 +72,7 @@ class FluidInMotion final : public LiveFlow<D> {
     picture.temperature = fluid_.temperature();
     picture.density_error = fluid_.density_error();
     picture.min_distance = fluid_.smallest_distance();
+    picture.bounces = double(fluid_.bounces());
     add_solids(fluid_.solids(), picture);
     picture.loads.assign(scene_.observables.size(), 0.0);
     for (std::size_t o = 0; o < scene_.observables.size(); ++o) picture.loads[o] = load(scene_.observables[o]);

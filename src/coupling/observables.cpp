@@ -148,6 +148,7 @@ FieldInfo describe(const scene::Observable& observable, const scene::Scene& scen
       return info;
     case ObservableType::density_error:
     case ObservableType::min_distance:
+    case ObservableType::bounces:
       info.unit = "1";
       return info;
     case ObservableType::projection_length:
@@ -279,6 +280,9 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
       return;
     case ObservableType::min_distance:
       reals.push_back(picture.min_distance);
+      return;
+    case ObservableType::bounces:
+      reals.push_back(picture.bounces);
       return;
     case ObservableType::elastic_energy:
       reals.push_back(picture.elastic_energy);

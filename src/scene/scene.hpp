@@ -4,6 +4,7 @@
 // the missing ones: [m] in 2-D, [m^2] in 1-D.
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,11 +46,14 @@ enum class MaterialType {
   solid,   // elastic: see Elastic
 };
 
-// A rigid motion: velocity + angular_velocity x (position - center). In 2-D the angular velocity has a z component only.
+// velocity + angular_velocity x (position - center) + strain_rate (position - center), each axis by itself, until a
+// time. In 2-D the angular velocity has a z component only.
 struct RigidMotion {
   Point velocity{};          // [m/s]
   Point angular_velocity{};  // [1/s]
   Point center{};            // [m]
+  Point strain_rate{};       // [1/s]
+  double until = std::numeric_limits<double>::infinity();  // [s]
 };
 
 struct Material {
@@ -222,9 +226,9 @@ inline constexpr std::array<EffectKey, 7> effect_keys{{{"flow", &Effects::flow},
 
 // ---- how -----------------------------------------------------------------------------------------------------------
 enum class Kernel { lucy, cubic_spline, quintic_spline, wendland_c2 };
-enum class PressureForm { symmetric, difference, riemann };
+enum class PressureForm { automatic, symmetric, difference, riemann };
 enum class DensityForm { automatic, continuity, summation };
-enum class WallForm { automatic, extrapolated, second_order, closest_point };  // what a fluid sees in a wall
+enum class WallForm { automatic, extrapolated, second_order };  // what a fluid sees in a wall
 enum class ViscousStep { automatic, explicit_step, implicit_step };
 enum class Sampler { direct, composition_rejection, split, tau_leaping, automatic };  // automatic: rules decide
 enum class Splitting { lie, strang };
@@ -233,11 +237,11 @@ enum class Limits { refuse, warn };  // what a run does that is beyond a limit t
 struct Numerics {
   Kernel kernel = Kernel::wendland_c2;
   double reach = 3.0;                            // kernel support in spacings
-  PressureForm pressure = PressureForm::symmetric;
+  PressureForm pressure = PressureForm::automatic;
   DensityForm density = DensityForm::automatic;
   WallForm walls = WallForm::automatic;
   ViscousStep viscous_step = ViscousStep::automatic;
-  bool shepard = false;                          // renormalise densities now and then
+  int shepard_every = 0;                         // steps after which densities are renormalised; 0: never
   double courant = 0.25;                         // of hs/(c0 + U)
   Sampler sampler = Sampler::composition_rejection;
   Splitting splitting = Splitting::strang;
@@ -259,6 +263,7 @@ enum class ObservableType {
   temperature,     // [J], kinetic kT of the fluid
   density_error,   // max |rho/rho0 - 1|
   min_distance,    // smallest distance of two fluid particles, in spacings
+  bounces,         // particles thrown back at walls so far
   velocity_profile, // mean velocity component along an axis, in bins
   displacement,    // [m] mean displacement component of what started in a material / shape, solids
   elastic_energy,  // [J], solids

@@ -23,7 +23,7 @@ struct TransportVelocity {
 
   static Slot<TransportVelocity> choose(const scene::Scene& scene, const Scales<D>& scales) {
     if (!scene.effects.transport_velocity) return Absent{};
-    const double xi = scene.numerics.pressure == scene::PressureForm::symmetric ? 4.0 : 1.0;
+    const double xi = scene.numerics.pressure == scene::PressureForm::difference ? 1.0 : 4.0;
     return TransportVelocity{4.0 * xi * scales.speed * scales.smoothing, scales.smoothing};
   }
 

@@ -142,12 +142,15 @@ StudyNorm norm_of(const Section& section, std::string_view key, StudyNorm fallba
 void read_times(const Section& section, StudyQuantity& quantity) {
   if (const auto* node = section.good("time"))
     quantity.times = node->is_array() ? quantities_of(*node) : std::vector<double>{quantity_of(*node)};
-  if (section.has("average") && section.has("period"))
-    section.error("period", "and 'average' are both given; give one");
-  for (const char* key : {"average", "period"}) {
+  const std::array<std::pair<const char*, std::optional<std::array<double, 2>>*>, 3> windows{
+      {{"average", &quantity.average}, {"amplitude", &quantity.amplitude}, {"period", &quantity.period}}};
+  const char* given = nullptr;
+  for (const auto& [key, member] : windows) {
     const auto window = section.quantities(key);
     if (window.size() != 2) continue;
-    (key == std::string_view("average") ? quantity.average : quantity.period) = {window[0], window[1]};
+    *member = {window[0], window[1]};
+    if (given) section.error(key, fmt::format("and '{}' are both given; give one", given));
+    given = key;
     if (section.has("time")) section.error(key, "and 'time' are both given; give one");
     if (section.has("field"))
       section.error(key, "is taken of an observable only");

@@ -39,13 +39,14 @@ struct StudyReference {
 
 struct StudyQuantity {
   std::string name;
-  std::string field, observable;                  // one of them
-  std::size_t component = 0;                      // of a vector field
-  std::size_t axis = 0;                           // along which a profile runs
-  std::vector<double> times;                      // [s]; empty: the last record
-  std::optional<std::array<double, 2>> average;   // [s]: the mean over the records in between
-  std::optional<std::array<double, 2>> period{};  // [s]: the first period of the course in between
-  ShapePointer region;                            // null: everywhere
+  std::string field, observable;                     // one of them
+  std::size_t component = 0;                         // of a vector field
+  std::size_t axis = 0;                              // along which a profile runs
+  std::vector<double> times;                         // [s]; empty: the last record
+  std::optional<std::array<double, 2>> average;      // [s]: the mean over the records in between
+  std::optional<std::array<double, 2>> amplitude{};  // [s]: half of what lies between its extremes in between
+  std::optional<std::array<double, 2>> period{};     // [s]: the first period of the course in between
+  ShapePointer region;                               // null: everywhere
   StudyReference reference;
   StudyNorm norm = StudyNorm::rms, published_norm = StudyNorm::rms;
   std::optional<StudyNumber> scale;                      // errors are divided by it

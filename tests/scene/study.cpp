@@ -81,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             head + quantity + reference + "colour = 1\n",
             "S:18:1: error: quantity.0.colour: unknown key; allowed here: name, field, observable, component, time, "
-            "average, period, reference, norm, scale, relative, published, published_norm, shape, and the keys of a shape"},
+            "average, amplitude, period, reference, norm, scale, relative, published, published_norm, shape, "
+            "and the keys of a shape"},
         Mistake{head + "[[quantity]]\nname = \"q\"\nfield = \"c\"\n" + reference,
                 "S:16:9: error: quantity.0.field: the model has no field \"c\"; it has: C"},
         Mistake{
@@ -90,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
             "It has: profile"},
         Mistake{head + quantity + "reference = { formula = \"slab_difusion\" }\n",
                 "S:17:25: error: quantity.0.reference.formula: there is no exact solution \"slab_difusion\"; did you "
-                "mean 'slab_diffusion'? Known: slab_diffusion, plate_diffusion, channel_flow, circular_couette, inclined_couette, taylor_green_speed, "
+                "mean 'slab_diffusion'? Known: slab_diffusion, plate_diffusion, channel_flow, circular_couette, "
+                "inclined_couette, taylor_green_speed, "
                 "taylor_green_energy"},
         Mistake{
             head + quantity +

@@ -32,6 +32,7 @@ std::string taken_text(const scene::Study& study) {
   for (const auto& q : study.quantities) {
     text += fmt::format("{} {} {} {}", q.field, q.observable, q.component, fmt::join(q.times, ","));
     if (q.average) text += fmt::format(" {} {}", (*q.average)[0], (*q.average)[1]);
+    if (q.amplitude) text += fmt::format(" amplitude {} {}", (*q.amplitude)[0], (*q.amplitude)[1]);
     if (q.period) text += fmt::format(" period {} {}", (*q.period)[0], (*q.period)[1]);
     text += '\n';
   }

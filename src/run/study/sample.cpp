@@ -39,7 +39,7 @@ void add_field(const ResultFile& result, const scene::StudyQuantity& quantity, s
   std::vector<double> volume;
   if (entry.unit == "molecules") volume = result.field_slice(result.field("volume"), time).mean;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    if (!held[i]) continue;
+    if (!held[i] || std::isnan(places[3 * i])) continue;
     const std::size_t cell = i * components + std::min(quantity.component, components - 1);
     const double factor = volume.empty() ? 1.0 : 1.0 / volume[i];
     add_place(sample, places[3 * i], places[3 * i + 1], places[3 * i + 2], result.times[time],
@@ -63,7 +63,7 @@ std::vector<std::size_t> records_in(const ResultFile& result, const std::array<d
   std::vector<std::size_t> found;
   for (std::size_t t = 0; t < result.times.size(); ++t)
     if (result.times[t] >= window[0] && result.times[t] <= window[1]) found.push_back(t);
-  if (found.empty()) throw base::RunError("no record lies in the window of the average");
+  if (found.empty()) throw base::RunError("no record lies in the window of time");
   return found;
 }
 
@@ -96,6 +96,19 @@ void add_average(const ResultFile& result, const Course& course, const std::vect
   for (const double one : means) squares += (one - mean) * (one - mean);
   add_place(sample, 0, 0, 0, time, mean);
   if (n > 1) sample.variance.push_back(squares / double(n - 1));
+}
+
+// Half the distance of the extremes of the mean over realisations.
+void add_amplitude(const Entry& entry, const Course& course, const std::vector<std::size_t>& window, double time,
+                   Sample& sample) {
+  if (entry.cells() != 1)
+    throw base::RunError(fmt::format("{} is a profile; only a number has an amplitude", entry.name));
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const auto t : window) {
+    least = std::min(least, course.all.mean[t]);
+    most = std::max(most, course.all.mean[t]);
+  }
+  add_place(sample, 0, 0, 0, time, 0.5 * (most - least));
 }
 
 // From the first crossing of the middle between the extremes to the next one in the same direction, between records
@@ -152,6 +165,10 @@ Sample take(const ResultFile& result, const scene::StudyQuantity& quantity) {
       add_average(result, course, window, end, sample);
     else
       add_average_profile(entry, course, window, end, quantity.axis, sample);
+    return sample;
+  }
+  if (quantity.amplitude) {
+    add_amplitude(entry, course, records_in(result, *quantity.amplitude), (*quantity.amplitude)[1], sample);
     return sample;
   }
   if (quantity.period) {

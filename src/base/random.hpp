@@ -12,18 +12,19 @@ namespace shmoo::base {
 
 // The one list of streams. A stream never changes its number: results would change with it.
 enum class Stream : std::uint32_t {
-  placement = 1,         // jitter of particles; a = particle id
-  initial_counts = 2,    // rounding and scattering of initial molecules; a = species
-  thermal_noise = 3,     // a, b = the pair's ids, smaller first
-  stochastic_exact = 4,  // one sequence for all events of an exact sampler in one step
-  diffusion_rounds = 5,  // uniformised diffusion: a = particle id, b = species
-  voxel_reactions = 6,   // reactions of one voxel in one splitting step: a = particle id
-  reservoir = 7,         // molecules that enter: a = particle id, b = species
-  leaps = 8,             // tau-leaping: a = particle id, b = half of the step
+  placement = 1,           // jitter of particles; a = particle id
+  initial_counts = 2,      // rounding and scattering of initial molecules; a = species
+  thermal_noise = 3,       // a, b = the pair's ids, smaller first
+  stochastic_exact = 4,    // one sequence for all events of an exact sampler in one step
+  diffusion_rounds = 5,    // uniformised diffusion: a = particle id, b = species
+  voxel_reactions = 6,     // reactions of one voxel in one splitting step: a = particle id
+  reservoir = 7,           // molecules that enter: a = particle id, b = species
+  leaps = 8,               // tau-leaping: a = particle id, b = half of the step
   langevin_reactions = 9,  // noise of smooth amounts: a = particle id, b = stage
-  langevin_jumps = 10,   // of exchanges between voxels: a = particle id, b = species
-  rezoning = 11,         // molecules of a wall whose columns are laid anew: a = particle id, b = species
-  test = 1000,           // for the tests
+  langevin_jumps = 10,     // of exchanges between voxels: a = particle id, b = species
+  rezoning = 11,           // molecules of a wall whose columns are laid anew: a = particle id, b = species
+  entering = 12,           // molecules of a particle that enters through an open side: a = particle id, b = species
+  test = 1000,             // for the tests
 };
 
 struct RandomKey {

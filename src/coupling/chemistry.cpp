@@ -46,6 +46,41 @@ void Chemistry::advance(std::shared_ptr<const Ground> ground, double t, double d
   if (solver_) solver_->advance(t + before, after, rdme::Process::both);
 }
 
+void Chemistry::pass(const std::vector<Passage>& passages, double volume) {
+  for (const auto& passage : passages) {
+    leave(passage.voxel);
+    if (!passage.enters) continue;
+    const auto& side = scene_.domain.sides[std::size_t(passage.side / 2)][std::size_t(passage.side % 2)];
+    for (const auto& [species, concentration] : side.species) enter(passage, species, concentration * volume);
+  }
+}
+
+void Chemistry::leave(std::size_t voxel) {
+  for (std::size_t s = 0; s < state_.species; ++s) {
+    const std::size_t entry = voxel * state_.species + s;
+    if (network_.stochastic(int(s))) {
+      state_.ledger.counts[s].left += std::exchange(state_.count[entry], 0);
+    } else {
+      state_.ledger.amounts[s].left += std::exchange(state_.amount[entry], 0.0);
+    }
+  }
+}
+
+// Stochastic molecules are Poisson in number, as in any volume of a well-stirred reservoir.
+void Chemistry::enter(const Passage& passage, int species, double molecules) {
+  const auto s = std::size_t(species);
+  const std::size_t entry = passage.voxel * state_.species + s;
+  if (network_.stochastic(species)) {
+    base::RandomSequence random(key_, base::Stream::entering, 0, passage.id, std::uint32_t(s));
+    const auto count = base::poisson(random, molecules);
+    state_.count[entry] += count;
+    state_.ledger.counts[s].entered += count;
+  } else {
+    state_.amount[entry] += molecules;
+    state_.ledger.amounts[s].entered += molecules;
+  }
+}
+
 void Chemistry::close(Outcome& outcome) const {
   outcome.ledger = state_.ledger;
   outcome.balanced = rdme::imbalance(state_, network_).empty();

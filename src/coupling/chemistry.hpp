@@ -28,8 +28,13 @@ class Chemistry {
   // first two before and, in reverse, half after. `interval` numbers the calls of one realisation.
   void advance(std::shared_ptr<const Ground> ground, double t, double dt, std::uint64_t interval);
 
-  // Amounts and molecules are moved by someone else, in a way that the ledger need not know; the next advance comes on new ground.
+  // Amounts and molecules are moved by someone else, in a way that the ledger need not know; the next advance comes on
+  // new ground.
   void change(const std::function<void(rdme::State&)>& how) { how(state_); }
+
+  // Voxels leave through open sides with all they hold, and others enter with what the side gives them, in this order;
+  // `volume` [m^3] is that of a voxel that enters. The next advance comes on new ground.
+  void pass(const std::vector<Passage>& passages, double volume);
 
   // The ledger and what happened. Throws nothing: an imbalance is told in the outcome.
   void close(Outcome& outcome) const;
@@ -38,6 +43,8 @@ class Chemistry {
 
  private:
   void bind(std::shared_ptr<const Ground> ground);
+  void leave(std::size_t voxel);
+  void enter(const Passage& passage, int species, double molecules);
 
   const scene::Scene& scene_;
   const rdme::Network& network_;

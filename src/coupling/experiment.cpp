@@ -22,8 +22,10 @@ namespace {
 
 template <int D>
 std::vector<base::Vec<D>> voxel_positions(const sph::Filling<D>& filling) {
-  return {filling.particles.position.values().begin(),
-          filling.particles.position.values().begin() + long(filling.voxels)};
+  std::vector<base::Vec<D>> places(filling.particles.position.values().begin(),
+                                   filling.particles.position.values().begin() + long(filling.voxels));
+  places.resize(filling.voxels + filling.reserve, filling.box.lower);
+  return places;
 }
 
 template <int D>
@@ -45,7 +47,7 @@ class ExperimentOf final : public Experiment {
 
   const scene::Scene& scene() const override { return *scene_; }
   const RecordLayout& layout() const override { return recorder_.layout(); }
-  std::size_t particles() const override { return filling_.voxels; }
+  std::size_t particles() const override { return filling_.voxels + filling_.reserve; }
   std::vector<std::int32_t> material_of_particle() const override {
     return {geometry_.material().begin(), geometry_.material().end()};
   }
@@ -53,6 +55,8 @@ class ExperimentOf final : public Experiment {
     std::vector<std::array<double, 3>> places(filling_.voxels, std::array<double, 3>{});
     for (std::size_t i = 0; i < places.size(); ++i)
       for (int a = 0; a < D; ++a) places[i][std::size_t(a)] = filling_.particles.position[i][a];
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    places.resize(particles(), {nowhere, nowhere, nowhere});
     return places;
   }
   std::vector<Derived> derived() const override { return derived_; }
@@ -120,7 +124,7 @@ class ExperimentOf final : public Experiment {
   std::unique_ptr<Timeline<D>> make_timeline(const base::RandomKey& key) const {
     auto flow = scene::in_motion(*scene_) ? make_live_flow<D>(*scene_, key) : nullptr;
     return std::make_unique<Timeline<D>>(*scene_, stages_, recorder_.layout().times, step_, std::move(flow),
-                                         voxel_positions(filling_), filling_.cell);
+                                         voxel_positions(filling_), filling_.cell, filling_.reserve);
   }
 
   void derive(const Timeline<D>& timeline) {
@@ -164,6 +168,7 @@ class ExperimentOf final : public Experiment {
     const auto live = [&](const Interval<D>& interval) {
       if (progress.stop && progress.stop()) return false;
       if (has_chemistry_) {
+        chemistry.pass(interval.stage->frame().passages, filling_.cell * scene_->depth);
         chemistry.advance(interval.stage->ground(), interval.begin, interval.end - interval.begin, interval.number);
         if (acts_back) own_flow->feel(network_, chemistry.state());
       }

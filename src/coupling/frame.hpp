@@ -1,10 +1,20 @@
 #pragma once
-// The particles over one interval of time, by id, as chemistry sees them, and a picture of the fluid at one moment.
+// The particles over one interval of time, by id or, with open sides, by place, as chemistry sees them, and a picture
+// of the fluid at one moment.
+#include <cstdint>
 #include <vector>
 
-#include "base/vec.hpp"
+#include "base/box.hpp"
 
 namespace shmoo::coupling {
+
+// A particle that came or went through an open side of the domain (2 axis + side).
+struct Passage {
+  std::uint32_t voxel = 0;  // its place among the voxels
+  std::uint32_t id = 0;     // its own, never given twice
+  int side = 0;
+  bool enters = false;
+};
 
 template <int D>
 struct Frame {
@@ -16,13 +26,22 @@ struct Frame {
   std::vector<double> capacity;  // [m^D], in the middle
   std::vector<double> arrival_capacity;  // [m^D], at the end
   double relaxation = 0;                 // [m^2/s] diffusivity of capacity between voxels that carry; 0 where steady
+  std::vector<bool> vacant;              // voxels without a particle; empty without open sides
+  std::vector<Passage> passages;         // in the interval, in order; they count as happening at its beginning
   bool steady = false;                   // nothing changes any more: the frame serves every later interval, too
 };
+
+// Where voxels without a particle are put: out of reach of all others.
+template <int D>
+base::Vec<D> vacancy(const base::Box<D>& box, double reach) {
+  return box.lower - base::Vec<D>::Constant(4.0 * reach);
+}
 
 template <int D>
 struct FlowPicture {
   std::vector<base::Vec<D>> position, velocity;  // [m], [m/s], by id, voxels only
   std::vector<double> density, pressure;         // [kg/m^3], [Pa]
+  std::vector<double> particle;                  // persistent id in each place, with open sides; empty without
   double kinetic_energy = 0;                     // [J]
   double max_speed = 0;                          // [m/s]
   double temperature = 0;                        // [J], kT

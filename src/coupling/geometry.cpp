@@ -56,8 +56,12 @@ Geometry<D>::Geometry(const scene::Scene& scene, const sph::Filling<D>& filling)
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, scene.numerics.reach * filling.spacing.maxCoeff())),
       cell_(filling.cell),
       moving_rows_(filling.box, reach(), 0.3 * filling.spacing.maxCoeff()) {
+  // Places for what enters hold what the domain is filled with: a flow has one fluid.
+  const auto fluid = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                  [](const auto& one) { return one.type == scene::MaterialType::fluid; });
+  material_.resize(filling.voxels + filling.reserve, std::uint16_t(fluid - scene.materials.begin()));
   if (scene.effects.flow && scene.effects.species_advection) {
-    carried_.assign(scene.materials.size(), false);
+    carried_.assign(scene.materials.size() + 1, false);
     for (const auto& species : scene.species) {
       for (const int home : species.homes) {
         const auto m = static_cast<std::size_t>(home);
@@ -76,8 +80,16 @@ bool Geometry<D>::lives_in(std::size_t species, std::uint16_t material) const {
 }
 
 template <int D>
+std::vector<std::uint16_t> Geometry<D>::material_in(const Frame<D>& frame) const {
+  auto material = material_;
+  for (std::size_t i = 0; i < frame.vacant.size(); ++i)
+    if (frame.vacant[i]) material[i] = std::uint16_t(scene_.materials.size());
+  return material;
+}
+
+template <int D>
 void Geometry<D>::find_habitats() {
-  const std::size_t materials = scene_.materials.size();
+  const std::size_t materials = scene_.materials.size() + 1;  // the last is that of vacant voxels
   for (std::size_t s = 0; s < scene_.species.size(); ++s) {
     const std::vector<bool> none(materials, false);
     rdme::Habitat habitat{none, none, none, none, {}};
@@ -139,9 +151,10 @@ std::shared_ptr<const sph::NeighbourRows<D>> Geometry<D>::rows(const Frame<D>& f
 
 template <int D>
 rdme::JumpGraph Geometry<D>::carrying_graph(const Frame<D>& frame) const {
-  const std::vector<bool> none(scene_.materials.size(), false);
+  const std::vector<bool> none(carried_.size(), false);
+  const auto material = material_in(frame);
   const rdme::Habitat habitat{carried_, none, none, carried_, {}};
-  const rdme::Places<D> places{frame.position, frame.departure_capacity, frame.drift, material_, vacant_};
+  const rdme::Places<D> places{frame.position, frame.departure_capacity, frame.drift, material, vacant_};
   auto graph =
       rdme::make_habitat_graph<D>(places, *rows(frame), box_, kernel_, scene_.depth, habitat, weights(frame)).graph;
   std::vector<double> volume(frame.departure_capacity);
@@ -166,7 +179,7 @@ void Geometry<D>::relax(rdme::JumpGraph& graph, const std::vector<double>& volum
 template <int D>
 rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
   rdme::Voxels voxels;
-  voxels.material = material_;
+  voxels.material = material_in(frame);
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     voxels.volume.push_back(frame.capacity[i] * scene_.depth);
     auto& place = voxels.position.emplace_back();
@@ -175,7 +188,7 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
   rdme::JumpGraph carrying;
   if (!frame.drift.empty()) carrying = carrying_graph(frame);
   voxels.graph_of_species = habitat_of_species_;
-  const rdme::Places<D> places{frame.position, frame.capacity, {}, material_, vacant_};
+  const rdme::Places<D> places{frame.position, frame.capacity, {}, voxels.material, vacant_};
   const auto near = habitats_.empty() ? nullptr : rows(frame);
   std::vector<rdme::HabitatGraph> graphs;
   for (const auto& habitat : habitats_) {
@@ -238,7 +251,8 @@ template <int D>
 double Geometry<D>::flux(const Frame<D>& frame, std::size_t species, int side, int material,
                          const std::vector<double>& concentration) const {
   if (habitat_of_species_[species] < 0) return 0.0;
-  const rdme::Places<D> places{frame.position, frame.capacity, {}, material_, vacant_};
+  const auto of_voxel = material_in(frame);
+  const rdme::Places<D> places{frame.position, frame.capacity, {}, of_voxel, vacant_};
   const auto& habitat = habitats_[std::size_t(habitat_of_species_[species])];
   const auto graph =
       rdme::make_habitat_graph<D>(places, *rows(frame), box_, kernel_, scene_.depth, habitat, weights(frame));

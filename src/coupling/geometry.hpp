@@ -47,6 +47,8 @@ class Geometry {
 
  private:
   void find_habitats();
+  // By voxel; vacant ones have a number of their own, of which nothing is known.
+  std::vector<std::uint16_t> material_in(const Frame<D>& frame) const;
   double reach() const;  // [m] of the kernel
   std::shared_ptr<const sph::NeighbourRows<D>> rows(const Frame<D>& frame) const;
   rdme::PairWeights weights(const Frame<D>& frame) const;

@@ -54,6 +54,7 @@ class FluidInMotion final : public LiveFlow<D> {
       frame->arrival = by_id([&](std::size_t i) { return fluid_.particles().position[i]; });
       frame->drift = by_id([&](std::size_t i) { return fluid_.mean_shift(i); });
       frame->position = start;
+      if (fluid_.open_sides()) return pass(*frame), look();
       for (std::size_t i = 0; i < start.size(); ++i) {
         frame->position[i] = fluid_.box().wrap(start[i] + 0.5 * fluid_.box().nearest(frame->arrival[i] - start[i]));
       }
@@ -67,6 +68,7 @@ class FluidInMotion final : public LiveFlow<D> {
     picture.velocity = by_id([&](std::size_t i) { return fluid_.velocity(i); });
     picture.density = by_id([&](std::size_t i) { return state.density[i]; });
     picture.pressure = by_id([&](std::size_t i) { return state.pressure[i]; });
+    if (fluid_.open_sides()) picture.particle = by_id([&](std::size_t i) { return double(fluid_.particles().id[i]); });
     picture.kinetic_energy = fluid_.kinetic_energy();
     picture.max_speed = fluid_.max_speed();
     picture.temperature = fluid_.temperature();
@@ -92,6 +94,7 @@ class FluidInMotion final : public LiveFlow<D> {
   FluidInMotion(const scene::Scene& scene, sph::Filling<D> filling, const base::RandomKey& key)
       : scene_(scene),
         voxels_(filling.voxels),
+        reserve_(filling.reserve),
         fluid_(scene, std::move(filling), key),
         tolerance_(scene.numerics.steady_tolerance),
         steadiness_(fluid_) {
@@ -103,16 +106,20 @@ class FluidInMotion final : public LiveFlow<D> {
     if (tolerance_) steadiness_.measure(fluid_);
   }
 
-  // What voxel particles have, by id; get(i) takes the particle's place in the store.
+  // What voxel particles have, by id or, with open sides, by their place in records; get(i) takes the particle's index
+  // in the store. What no particle has is no number.
   template <class Get>
   auto by_id(Get get) const {
-    std::vector<std::decay_t<decltype(get(0))>> values(voxels_);
-    const auto& id = fluid_.particles().id;
+    using Value = std::decay_t<decltype(get(0))>;
+    std::vector<Value> values(voxels_ + reserve_, empty(Value{}));
+    const auto& place = fluid_.open_sides() ? fluid_.open_sides()->place() : fluid_.particles().id.values();
     for (std::size_t i = 0; i < fluid_.particles().size(); ++i) {
-      if (id[i] < voxels_) values[id[i]] = get(i);
+      if (place[i] < values.size()) values[place[i]] = get(i);
     }
     return values;
   }
+  static double empty(double) { return std::numeric_limits<double>::quiet_NaN(); }
+  static Vec empty(const Vec&) { return Vec::Constant(std::numeric_limits<double>::quiet_NaN()); }
 
   // Steady: over a quarter of the shortest time scale of the flow (crossing or viscous) the velocity field, at fixed
   // places, changed by less than the tolerance in the root mean square.
@@ -123,6 +130,28 @@ class FluidInMotion final : public LiveFlow<D> {
     const double change = steadiness_.measure(fluid_) * elapsed * scales.speed / scales.length;
     steady_ = change <= *tolerance_;
     looked_at_ = fluid_.time();
+  }
+
+  // Who came and went, and where the voxels of those who stayed are: inside the domain, and what is vacant far outside.
+  void pass(Frame<D>& frame) const {
+    frame.vacant.assign(frame.position.size(), false);
+    std::vector<bool> fresh(frame.position.size(), false);
+    for (const auto& passage : fluid_.open_sides()->passages()) {
+      frame.passages.push_back({passage.place, passage.id, passage.side, passage.enters});
+      fresh[passage.place] = true;
+    }
+    const auto& box = fluid_.box();
+    for (std::size_t i = 0; i < frame.position.size(); ++i) {
+      frame.vacant[i] = std::isnan(frame.arrival[i][0]);
+      if (frame.vacant[i]) {
+        frame.position[i] = frame.arrival[i] = vacancy(box, fluid_.scales().reach);
+        frame.drift[i] = Vec::Zero();
+        continue;
+      }
+      const Vec start = fresh[i] ? frame.arrival[i] : frame.position[i];
+      frame.position[i] = box.wrap(start + 0.5 * box.nearest(frame.arrival[i] - start));
+      frame.position[i] = frame.position[i].cwiseMax(box.lower).cwiseMin(box.upper);
+    }
   }
 
   // What an observable of a wall's load says, 0 for any other.
@@ -139,7 +168,7 @@ class FluidInMotion final : public LiveFlow<D> {
   }
 
   const scene::Scene& scene_;
-  std::size_t voxels_;
+  std::size_t voxels_, reserve_;
   hydro::Fluid<D> fluid_;
   std::optional<double> tolerance_;
   double window_ = 0, looked_at_ = 0;

@@ -30,6 +30,12 @@ bool selects(const scene::Observable& observable, const scene::Scene& scene, std
   return !observable.shape || scene::contains(*observable.shape, point_of<D>(x), D);
 }
 
+// Whether no particle has this place now, in a domain with open sides.
+template <int D>
+bool vacant(const FlowPicture<D>& picture, std::size_t place) {
+  return std::isnan(picture.position[place][0]);
+}
+
 std::size_t bin_of(double x, const scene::Scene& scene, int axis, std::size_t bins) {
   const double from = scene.domain.lower[std::size_t(axis)], to = scene.domain.upper[std::size_t(axis)];
   const double b = std::floor((x - from) / (to - from) * double(bins));
@@ -250,6 +256,7 @@ void measure_chemistry(const scene::Observable& observable, const scene::Scene& 
     const auto C = concentrations<D>(species, scene, state, frame);
     Scatter<D> scatter;
     for (std::size_t i = 0; i < C.size(); ++i) {
+      if (!frame.vacant.empty() && frame.vacant[i]) continue;
       if (!selects<D>(observable, scene, material[i], frame.arrival[i])) continue;
       scatter.place.push_back(frame.arrival[i]);
       scatter.value.push_back(C[i]);
@@ -300,7 +307,7 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
     case ObservableType::velocity_line: {
       Scatter<D> scatter;
       for (std::size_t i = 0; i < picture.position.size(); ++i) {
-        if (scene.materials[material[i]].type != scene::MaterialType::fluid) continue;
+        if (scene.materials[material[i]].type != scene::MaterialType::fluid || vacant(picture, i)) continue;
         scatter.place.push_back(picture.position[i]);
         scatter.value.push_back(picture.velocity[i][observable.component]);
       }
@@ -313,7 +320,7 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
   std::vector<double> weight(bins, 0.0);
   reals.assign(bins, 0.0);
   for (std::size_t i = 0; i < picture.position.size(); ++i) {
-    if (scene.materials[material[i]].type != scene::MaterialType::fluid) continue;
+    if (scene.materials[material[i]].type != scene::MaterialType::fluid || vacant(picture, i)) continue;
     if (!selects<D>(observable, scene, material[i], picture.position[i])) continue;
     const std::size_t b = bin_of(picture.position[i][observable.axis], scene, observable.axis, bins);
     reals[b] += picture.velocity[i][observable.component];

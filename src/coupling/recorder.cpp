@@ -63,6 +63,7 @@ void Recorder<D>::add_flow_fields(bool shared) {
   add_field({"position", "m", false, shared, {n, d}, length, {}}, {Source::position});
   add_field({"velocity", "m/s", false, shared, {n, d}, speed, {}}, {Source::velocity});
   add_field({"density", "kg/m^3", false, shared, {n}, density, {}}, {Source::density});
+  if (scene::has_open_sides(scene_)) add_field({"particle", "1", false, shared, {n}, 1.0, {}}, {Source::particle});
   add_field({"pressure", "Pa", false, shared, {n}, density * speed * speed, {}}, {Source::pressure});
 }
 
@@ -135,6 +136,9 @@ void Recorder<D>::flow(std::size_t time, const FlowPicture<D>& picture, RecordSi
         break;
       case Source::pressure:
         sink.field(time, f, Values(std::span<const double>(picture.pressure)));
+        break;
+      case Source::particle:
+        sink.field(time, f, Values(std::span<const double>(picture.particle)));
         break;
       case Source::species:
       case Source::volume:

@@ -28,7 +28,7 @@ class Recorder {
   void flow(std::size_t time, const FlowPicture<D>& picture, RecordSink& sink) const;
 
  private:
-  enum class Source { species, volume, position, velocity, density, pressure };
+  enum class Source { species, volume, position, velocity, density, pressure, particle };
   struct FieldSource {
     Source source;
     int species = -1;

@@ -13,7 +13,7 @@ namespace shmoo::coupling {
 template <int D>
 Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder, const std::vector<double>& times,
                       const Step& chemistry_step, std::unique_ptr<LiveFlow<D>> flow, std::vector<base::Vec<D>> start,
-                      double cell)
+                      double cell, std::size_t reserve)
     : scene_(scene),
       builder_(builder),
       times_(times),
@@ -23,8 +23,25 @@ Timeline<D>::Timeline(const scene::Scene& scene, const StageBuilder<D>& builder,
       cell_(cell) {
   if (flow_) flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
-  start_ = builder_.stage({start, start, {}, capacity_, capacity_, capacity_, 0.0, flow_ == nullptr});
+  start_ = builder_.stage(first_frame(start, reserve));
   if (!flow_) standing_ = start_;
+}
+
+template <int D>
+Frame<D> Timeline<D>::first_frame(const std::vector<base::Vec<D>>& start, std::size_t reserve) const {
+  Frame<D> frame;
+  frame.position = frame.arrival = start;
+  frame.departure_capacity = frame.capacity = frame.arrival_capacity = capacity_;
+  frame.steady = flow_ == nullptr;
+  if (reserve == 0) return frame;
+  const auto box = sph::domain_box<D>(scene_.domain);
+  frame.vacant.assign(start.size(), false);
+  for (std::size_t i = start.size() - reserve; i < start.size(); ++i) {
+    frame.position[i] = frame.arrival[i] = vacancy(box, box.size().norm());
+    frame.vacant[i] = true;
+    frame.arrival_capacity[i] = 0.0;
+  }
+  return frame;
 }
 
 template <int D>
@@ -79,6 +96,7 @@ Interval<D> Timeline<D>::next_moving(double t, double target) {
   }
   Frame<D> frame;
   flow_->advance(interval.end, &frame);
+  for (const auto& passage : frame.passages) capacity_[passage.voxel] = cell_;
   frame.departure_capacity = frame.capacity = capacity_;
   // A voxel that is too full by a grid-scale pattern relaxes within a few intervals of the flow.
   frame.relaxation = scene_.domain.spacing * scene_.domain.spacing / (16.0 * flow_->interval());
@@ -87,6 +105,8 @@ Interval<D> Timeline<D>::next_moving(double t, double target) {
   else
     frame.drift.clear();
   frame.arrival_capacity = capacity_;
+  for (std::size_t i = 0; i < frame.vacant.size(); ++i)
+    if (frame.vacant[i]) frame.arrival_capacity[i] = 0.0;
   interval.stage = builder_.stage(std::move(frame));
   return interval;
 }
@@ -116,7 +136,10 @@ void Timeline<D>::freeze(double t) {
   steady_since_ = t;
   flow_->picture(picture_);
   if (!builder_.has_chemistry()) return;
-  Frame<D> frame{picture_.position, picture_.position, {}, capacity_, capacity_, capacity_, 0.0, true};
+  Frame<D> frame;
+  frame.position = frame.arrival = picture_.position;
+  frame.departure_capacity = frame.capacity = frame.arrival_capacity = capacity_;
+  frame.steady = true;
   if (builder_.geometry().carries()) {
     frame.drift = picture_.velocity;
     for (auto& v : frame.drift) v = -v;

@@ -28,9 +28,11 @@ struct Interval {
 template <int D>
 class Timeline {
  public:
-  // `flow` may be null: nothing moves. `start` are the voxels' places, `cell` what each fills [m^D].
+  // `flow` may be null: nothing moves. `start` are the voxels' places, `cell` what each fills [m^D]; the last `reserve`
+  // of them are vacant at first.
   Timeline(const scene::Scene& scene, const StageBuilder<D>& builder, const std::vector<double>& times,
-           const Step& chemistry_step, std::unique_ptr<LiveFlow<D>> flow, std::vector<base::Vec<D>> start, double cell);
+           const Step& chemistry_step, std::unique_ptr<LiveFlow<D>> flow, std::vector<base::Vec<D>> start, double cell,
+           std::size_t reserve = 0);
 
   // Geometry and flow at time 0.
   std::shared_ptr<const Stage<D>> start() const { return start_; }
@@ -51,6 +53,7 @@ class Timeline {
   double capacity_deviation() const { return capacity_deviation_; }
 
  private:
+  Frame<D> first_frame(const std::vector<base::Vec<D>>& start, std::size_t reserve) const;
   Interval<D> next(double t, double target);
   Interval<D> next_moving(double t, double target);
   void pass_capacity(Frame<D>& frame, const Interval<D>& interval);

@@ -97,32 +97,62 @@ void Blocks<D>::lay_blocks() {
   }
 }
 
-// Solids, and images of all that stands within the cutoff of a periodic side.
+template <int D>
+bool Blocks<D>::any_mirror() const {
+  return std::any_of(mirrors_.begin(), mirrors_.end(), [](const auto& axis) { return axis[0] || axis[1]; });
+}
+
+// Adds the images across the sides of an axis of the fluid and of all images so far.
+template <int D>
+void Blocks<D>::add_images(Images& images, int axis) const {
+  const auto add = [&](std::uint32_t i, Vec point, Vec shift, double by, std::uint8_t turned) {
+    const bool turns = turned != 0;
+    point[axis] = (turns ? -point[axis] : point[axis]) + by;
+    shift[axis] = by;
+    images.source.push_back(i);
+    images.shift.push_back(shift);
+    images.point.push_back(point);
+  };
+  const auto reflect = [&](std::uint32_t i, const Vec& x, const Vec& shift, std::uint8_t turned, int side) {
+    const double at = plane(axis, side);
+    if (!(std::abs(x[axis] - at) < cutoff_)) return;
+    add(i, x, shift, 2.0 * at, 1);
+    images.turned.push_back(std::uint8_t(turned | (1U << axis)));
+  };
+  const auto image = [&](std::uint32_t i, const Vec& x, const Vec& shift, std::uint8_t turned) {
+    for (int side = 0; side < 2; ++side)
+      if (mirrors_[std::size_t(axis)][std::size_t(side)]) reflect(i, x, shift, turned, side);
+    const bool low = x[axis] < cutoff_;
+    if (!box_.periodic[std::size_t(axis)] || (!low && x[axis] < length_[axis] - cutoff_)) return;
+    add(i, x, shift, low ? length_[axis] : -length_[axis], 0);
+    if (any_mirror()) images.turned.push_back(turned);
+  };
+  const std::size_t so_far = images.source.size();
+  for (std::size_t k = 0; k < so_far; ++k)
+    image(images.source[k], Vec(images.point[k]), Vec(images.shift[k]), images.turned.empty() ? 0 : images.turned[k]);
+  for (std::size_t i = 0; i < fluid_; ++i) image(std::uint32_t(i), anchor_[i], Vec::Zero(), 0);
+}
+
+// Solids, and images of all that stands within the cutoff of a periodic side or a mirror.
 template <int D>
 void Blocks<D>::add_others() {
-  std::vector<std::uint32_t> source(solids_);
-  std::iota(source.begin(), source.end(), std::uint32_t(fluid_));
-  std::vector<Vec> shift(solids_, Vec(Vec::Zero())), points(anchor_.begin() + std::ptrdiff_t(fluid_), anchor_.end());
-  for (int a = 0; a < D; ++a) {
-    if (!box_.periodic[a]) continue;
-    const auto image = [&](std::uint32_t i, const Vec& x, Vec by) {
-      const bool low = x[a] < cutoff_;
-      if (!low && x[a] < length_[a] - cutoff_) return;
-      by[a] = low ? length_[a] : -length_[a];
-      source.push_back(i);
-      shift.push_back(by);
-      points.push_back(anchor_[i] + by);
-    };
-    const std::size_t so_far = source.size();
-    for (std::size_t k = 0; k < so_far; ++k) image(source[k], Vec(points[k]), Vec(shift[k]));
-    for (std::size_t i = 0; i < fluid_; ++i) image(std::uint32_t(i), anchor_[i], Vec::Zero());
-  }
-  other_columns_.sort(grid_, points);
-  shift_.resize(source.size());
-  particle_.resize(block_slots() + source.size());
-  for (std::size_t k = 0; k < source.size(); ++k) {
-    shift_[k] = shift[other_columns_.order()[k]];
-    particle_[block_slots() + k] = source[other_columns_.order()[k]];
+  Images images;
+  images.source.resize(solids_);
+  std::iota(images.source.begin(), images.source.end(), std::uint32_t(fluid_));
+  images.shift.assign(solids_, Vec(Vec::Zero()));
+  images.point.assign(anchor_.begin() + std::ptrdiff_t(fluid_), anchor_.end());
+  if (any_mirror()) images.turned.assign(solids_, 0);
+  for (int a = 0; a < D; ++a)
+    if (box_.periodic[a] || mirrors_[a][0] || mirrors_[a][1]) add_images(images, a);
+  other_columns_.sort(grid_, images.point);
+  const auto order = other_columns_.order();
+  shift_.resize(order.size());
+  turned_.resize(images.turned.size());
+  particle_.resize(block_slots() + order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    shift_[k] = images.shift[order[k]];
+    particle_[block_slots() + k] = images.source[order[k]];
+    if (!turned_.empty()) turned_[k] = images.turned[order[k]];
   }
   for (auto& axis : coordinate) axis.resize(particle_.size() + lanes);
 }
@@ -131,7 +161,10 @@ template <int D>
 void Blocks<D>::place_slots() {
   const std::size_t others = block_slots();
   for_slots([&](std::size_t s, std::size_t i) {
-    for (int a = 0; a < D; ++a) coordinate[std::size_t(a)][s] = now_[i][a] + (s < others ? 0.0 : shift_[s - others][a]);
+    for (int a = 0; a < D; ++a) {
+      const double own = mirrored(s, a) ? -now_[i][a] : now_[i][a];
+      coordinate[std::size_t(a)][s] = own + (s < others ? 0.0 : shift_[s - others][a]);
+    }
   });
 }
 

@@ -3,8 +3,9 @@
 // particles lie in the lanes, the neighbour is the same number in all of them (as GROMACS does with clusters; Pall &
 // Hess 2013, "A flexible algorithm for calculating pair interactions on SIMD architectures"). What pair sweeps read
 // lies in slots: first those of the blocks, the last block of a column filled up with copies of its last particle; then
-// solids and the images of particles beyond periodic sides. Coordinates in slots are whole multiples of a tiny length,
-// so that differences, also across a periodic side, are exact and the two views of a pair are opposite to the bit.
+// solids and the images of particles beyond periodic sides and in mirrors. Coordinates in slots are whole multiples of
+// a tiny length, so that differences, also across a periodic side, are exact and the two views of a pair are opposite
+// to the bit.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -32,7 +33,10 @@ class Blocks {
  public:
   using Vec = base::Vec<D>;
 
-  Blocks(const base::Box<D>& box, double cutoff, double spacing) : box_(box), cutoff_(cutoff), spacing_(spacing) {}
+  using Mirrors = std::array<std::array<bool, 2>, D>;  // [axis][side]
+
+  Blocks(const base::Box<D>& box, double cutoff, double spacing, const Mirrors& mirrors = {})
+      : box_(box), mirrors_(mirrors), cutoff_(cutoff), spacing_(spacing) {}
 
   // Sorts the particles, fluid first, and lists the partners of every block. Positions must be wrapped.
   void build(sph::Particles<D>& particles);
@@ -52,6 +56,11 @@ class Blocks {
   std::uint32_t particle(std::size_t slot) const { return particle_[slot]; }
   std::uint32_t slot(std::size_t particle) const { return slot_[particle]; }  // of one that flows
   std::array<LaneArray, D> coordinate;                                        // [m] of slots
+
+  // Whether a slot holds an image in a mirror across this axis, whose velocity along it is turned round.
+  bool mirrored(std::size_t slot, int axis) const {
+    return !turned_.empty() && slot >= block_slots() && ((turned_[slot - block_slots()] >> axis) & 1U) != 0;
+  }
 
   // Calls fill(slot, particle) for every slot.
   template <class Fill>
@@ -87,6 +96,14 @@ class Blocks {
     std::vector<std::int32_t> partners, near;
   };
 
+  struct Images {
+    std::vector<std::uint32_t> source;  // particle
+    std::vector<Vec> shift, point;      // [m]
+    std::vector<std::uint8_t> turned;   // bit by axis; where there are mirrors
+  };
+  bool any_mirror() const;
+  double plane(int axis, int side) const { return snap((side == 0 ? box_.lower : box_.upper)[axis] - origin_[axis]); }
+  void add_images(Images& images, int axis) const;
   void measure(const std::vector<Vec>& position);
   void sort(sph::Particles<D>& particles);
   void lay_blocks();
@@ -102,6 +119,7 @@ class Blocks {
   }
 
   base::Box<D> box_;
+  Mirrors mirrors_;
   double cutoff_, spacing_;
   Vec origin_ = Vec::Zero(), length_ = Vec::Zero();  // [m] of coordinates; of periodic axes, snapped
   double grain_ = 0;                                 // [m] 1.5 2^52 times the length that coordinates are multiples of
@@ -110,6 +128,7 @@ class Blocks {
   std::size_t fluid_ = 0, solids_ = 0;
   std::vector<Vec> built_at_, anchor_, now_;  // [m] position at build(); coordinates then, and now, by particle
   std::vector<Vec> shift_;                    // [m] of solids and images in their slots
+  std::vector<std::uint8_t> turned_;          // by such a slot, bit by axis: mirrored; empty without mirrors
   std::vector<Block> blocks_;
   std::vector<Chunk> chunks_;
   std::vector<std::uint32_t> padding_;   // slots before a column beyond its particles

@@ -65,6 +65,34 @@ double Fluid<D>::smallest_distance() const {
   return std::sqrt(smallest) / state_.scales.spacing;
 }
 
+template <int D>
+void Fluid<D>::begin_interval() {
+  interval_ = 0.0;
+  if (open_) open_->begin_interval();
+  state_.mean_velocity = &state_.particles.template require<Vec>("mean_velocity", "m");
+  if (state_.shift) state_.mean_shift = &state_.particles.template require<Vec>("mean_shift", "m");
+  for (auto* column : {state_.mean_velocity, state_.mean_shift}) {
+    if (column) std::fill(column->values().begin(), column->values().end(), Vec(Vec::Zero()));
+  }
+}
+
+template <int D>
+base::Vec<D> Fluid<D>::mean_velocity(std::size_t index) const {
+  if (!(interval_ > 0.0) || !state_.mean_velocity) return Vec::Zero();
+  return (*state_.mean_velocity)[index] / interval_;
+}
+
+template <int D>
+base::Vec<D> Fluid<D>::mean_shift(std::size_t index) const {
+  if (!(interval_ > 0.0) || !state_.mean_shift) return Vec::Zero();
+  return (*state_.mean_shift)[index] / interval_;
+}
+
+template <int D>
+base::Vec<D> Fluid<D>::velocity(std::size_t index) const {
+  return state_.particles.role[index] == sph::Role::fluid ? state_.velocity[index] : (*state_.wall_velocity)[index];
+}
+
 template class Fluid<2>;
 template class Fluid<3>;
 

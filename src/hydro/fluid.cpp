@@ -11,6 +11,7 @@
 #include "hydro/force_sweep.hpp"
 #include "hydro/initial_velocity.hpp"
 #include "hydro/solid/reaction_sweep.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -22,6 +23,8 @@ constexpr double most_movement = 0.25;  // [spacings] of any particle in one ste
 template <int D>
 Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
     : solids_(scene, filling),
+      open_(scene::has_open_sides(scene) ? std::make_optional<OpenSides<D>>(scene, filling) : std::nullopt),
+      mirrors_(filling.mirrors),
       state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, state_.scales.reach)),
       walls_(scene) {}
@@ -43,6 +46,7 @@ Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D> filling, Effects<D> e
 template <int D>
 void Fluid<D>::initialise(const scene::Scene& scene) {
   effects_.require_columns(state_);
+  for (const auto& axis : mirrors_) any_mirror_ = any_mirror_ || axis[0] || axis[1];
   auto& particles = state_.particles;
   const InitialVelocity<D> initial(scene);
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -53,6 +57,7 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
   }
   walls_.prepare(state_, scene);
   solids_.prepare(state_, scene);
+  if (open_) open_->prepare(state_);
   find_step();
   restart();
 }
@@ -84,11 +89,18 @@ void Fluid<D>::restart() {
     fastest_ = std::max(fastest_, state_.velocity[i].squaredNorm());
   }
   fastest_ = std::sqrt(fastest_);
-  state_.rows.build(particles);
-  solids_.locate(state_);
+  rebuild();
   last_dt_ = dt_;
   evaluate(0.0);
   if (state_.driving) state_.driving->values() = state_.acceleration.values();
+}
+
+template <int D>
+void Fluid<D>::rebuild() {
+  if (open_) open_->exchange(state_, time_);
+  state_.rows.build(state_.particles);
+  solids_.locate(state_);
+  if (open_) open_->locate(state_);
 }
 
 template <int D>
@@ -118,18 +130,34 @@ void Fluid<D>::step(double dt) {
   last_dt_ = dt;
   solids_.push(0.5 * dt);
   drift(dt);
+  if (any_mirror_) reflect();
+  if (open_) open_->carry(state_, dt);
   walls_.carry(state_, time_, dt);
   solids_.advance(state_, time_, dt);
   time_ += dt;
   ++steps_;
-  const auto builds = state_.rows.builds();
-  state_.rows.follow(state_.particles);
-  if (state_.rows.builds() != builds) solids_.locate(state_);
+  if (!state_.rows.follow(state_.particles)) rebuild();
   evaluate(dt);
   implicit ? rub(dt) : kick(dt, root);
   solids_.push(0.5 * dt);
   if (effects_.bounce_back) bounce();
   check();
+}
+
+template <int D>
+void Fluid<D>::reflect() {
+  for (int a = 0; a < D; ++a) {
+    for (int side = 0; side < 2; ++side) {
+      if (!mirrors_[std::size_t(a)][std::size_t(side)]) continue;
+      const double plane = (side == 0 ? state_.box.lower : state_.box.upper)[a], out = side == 0 ? -1.0 : 1.0;
+      for (const std::uint32_t i : state_.rows.fluid()) {
+        double& x = state_.particles.position[i][a];
+        if (!(out * (x - plane) > 0.0)) continue;
+        x = 2.0 * plane - x;
+        state_.velocity[i][a] = -state_.velocity[i][a];
+      }
+    }
+  }
 }
 
 template <int D>
@@ -146,10 +174,12 @@ template <int D>
 void Fluid<D>::evaluate(double dt) {
   const double next = dt > 0.0 ? dt : dt_;
   walls_.extrapolate_velocity(state_, kernel_, time_);
+  if (open_) open_->set_velocity(state_, kernel_, time_);
   fill_slots();
   sweep_density(state_, kernel_, effects_, dt, next);
   solids_.close_volume(state_);
   walls_.extrapolate_pressure(state_, time_);
+  if (open_) open_->set_pressure(state_, kernel_);
   fill_stress();
   draws_ += sweep_forces(state_, kernel_, effects_, evaluations_++);
   if (!solids_.empty()) {
@@ -165,40 +195,6 @@ void Fluid<D>::evaluate(double dt) {
     const auto range = fluid.subspan(first, std::min(chunk, fluid.size() - first));
     for (const auto& effect : effects_.body) effect->apply(view, range);
   }
-}
-
-template <int D>
-void Fluid<D>::fill_slots() {
-  auto& slots = state_.slots;
-  const std::size_t size = state_.rows.blocks.slots();
-  const bool diffuses = is_present(effects_.density_diffusion);
-  for (auto& axis : slots.velocity) axis.resize(size);
-  slots.volume.resize(size);
-  if (diffuses) slots.density.resize(size);
-  state_.rows.blocks.for_slots([&](std::size_t s, std::size_t i) {
-    for (int a = 0; a < D; ++a) slots.velocity[std::size_t(a)][s] = state_.velocity[i][a];
-    slots.volume[s] = state_.volume[i];
-    if (diffuses) slots.density[s] = state_.density[i];
-  });
-}
-
-template <int D>
-void Fluid<D>::fill_stress() {
-  auto& slots = state_.slots;
-  const std::size_t size = state_.rows.blocks.slots();
-  slots.stress.resize(size);
-  if (state_.scaling) slots.scaling.resize(size);
-  if (state_.noise) slots.id.resize(size);
-  std::visit(
-      [&](const auto& pressure) {
-        state_.rows.blocks.for_slots([&](std::size_t s, std::size_t i) {
-          slots.volume[s] = state_.volume[i];
-          slots.stress[s] = pressure.stress(state_.pressure[i], state_.volume[i]);
-          if (state_.scaling) slots.scaling[s] = (*state_.scaling)[i];
-          if (state_.noise) slots.id[s] = state_.particles.id[i];
-        });
-      },
-      effects_.pressure);
 }
 
 // Half a step of acceleration. The noise of an evaluation acts in two halves, one before and one after the velocity is
@@ -270,33 +266,6 @@ void Fluid<D>::buoy(const std::vector<double>& lightness) {
     if (auto* buoyancy = dynamic_cast<Buoyancy<D>*>(effect.get())) buoyancy->set(lightness);
   }
   if (steps_ == 0) restart();  // the first half kick feels it, too
-}
-
-template <int D>
-void Fluid<D>::begin_interval() {
-  interval_ = 0.0;
-  state_.mean_velocity = &state_.particles.template require<Vec>("mean_velocity", "m");
-  if (state_.shift) state_.mean_shift = &state_.particles.template require<Vec>("mean_shift", "m");
-  for (auto* column : {state_.mean_velocity, state_.mean_shift}) {
-    if (column) std::fill(column->values().begin(), column->values().end(), Vec(Vec::Zero()));
-  }
-}
-
-template <int D>
-base::Vec<D> Fluid<D>::mean_velocity(std::size_t index) const {
-  if (!(interval_ > 0.0) || !state_.mean_velocity) return Vec::Zero();
-  return (*state_.mean_velocity)[index] / interval_;
-}
-
-template <int D>
-base::Vec<D> Fluid<D>::mean_shift(std::size_t index) const {
-  if (!(interval_ > 0.0) || !state_.mean_shift) return Vec::Zero();
-  return (*state_.mean_shift)[index] / interval_;
-}
-
-template <int D>
-base::Vec<D> Fluid<D>::velocity(std::size_t index) const {
-  return state_.particles.role[index] == sph::Role::fluid ? state_.velocity[index] : (*state_.wall_velocity)[index];
 }
 
 template class Fluid<2>;

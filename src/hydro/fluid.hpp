@@ -7,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "hydro/effects/list.hpp"
+#include "hydro/open/open_sides.hpp"
 #include "hydro/scales.hpp"
 #include "hydro/solid/immersion.hpp"
 #include "hydro/state.hpp"
@@ -69,6 +70,8 @@ class Fluid {
   Vec momentum() const;              // [kg m/s]
   WallLoad<D> wall_load(std::uint16_t material, const Vec& about) const;  // on a solid; layers beyond a side included
 
+  // Where particles enter and leave; null without open sides. A particle's place in records is in the column `place`.
+  const OpenSides<D>* open_sides() const { return open_ ? &*open_ : nullptr; }
   std::uint64_t bounces() const { return bounces_; }  // velocities thrown back at walls so far
   std::uint64_t draws() const { return draws_; }      // random numbers drawn so far, each pair's counted once
   std::vector<std::string> effects() const { return effects_.names(); }
@@ -80,6 +83,7 @@ class Fluid {
   Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare);  // without effects
   void initialise(const scene::Scene& scene);
   void find_step();
+  void rebuild();             // lets particles in and out, and lists who is near whom
   double step_limit() const;  // [s] now
   void evaluate(double dt);
   void kick(double dt, double root);
@@ -87,6 +91,7 @@ class Fluid {
   void drift(double dt);
   void fill_slots();   // for the first sweep
   void fill_stress();  // and for the second
+  void reflect();      // what has passed a mirror
   void bounce();
   void check() const;
 
@@ -94,6 +99,9 @@ class Fluid {
   std::vector<Derived> derived_;
   std::vector<StepLimit> limits_;
   Immersion<D> solids_;
+  std::optional<OpenSides<D>> open_;
+  typename Blocks<D>::Mirrors mirrors_;
+  bool any_mirror_ = false;
   State<D> state_;
   sph::AnyKernel<D> kernel_;
   Walls<D> walls_;

@@ -23,7 +23,7 @@ InitialVelocity<D>::InitialVelocity(const std::vector<scene::Quantity>& given,
       parser->Eval();
     } catch (const mu::Parser::exception_type& error) {
       throw base::InputError(
-          fmt::format("the initial velocity '{}' cannot be used: {}. It may read x, y, z, t and the "
+          fmt::format("the velocity '{}' cannot be used: {}. It may read x, y, z, t and the "
                       "parameters.",
                       given[a].expression, error.GetMsg()));
     }
@@ -32,11 +32,15 @@ InitialVelocity<D>::InitialVelocity(const std::vector<scene::Quantity>& given,
 }
 
 template <int D>
+InitialVelocity<D>::InitialVelocity(InitialVelocity&&) noexcept = default;
+
+template <int D>
 InitialVelocity<D>::~InitialVelocity() = default;
 
 template <int D>
-base::Vec<D> InitialVelocity<D>::operator()(const base::Vec<D>& position) const {
+base::Vec<D> InitialVelocity<D>::operator()(const base::Vec<D>& position, double t) const {
   for (std::size_t a = 0; a < D; ++a) (*variables_)[a] = position[int(a)];
+  (*variables_)[3] = t;
   base::Vec<D> v;
   for (std::size_t a = 0; a < D; ++a) {
     v[int(a)] = components_[a].parser ? components_[a].parser->Eval() : components_[a].value;

@@ -1,6 +1,6 @@
 #pragma once
-// The velocity that a scene gives the fluid or a solid at the start, from numbers or expressions over x, y, z [m] and
-// the parameters.
+// The velocity that a scene gives the fluid or a solid at the start, or what enters, from numbers or expressions over
+// x, y, z [m], t [s] and the parameters.
 #include <array>
 #include <memory>
 
@@ -20,9 +20,10 @@ class InitialVelocity {
   explicit InitialVelocity(const scene::Scene& scene)
       : InitialVelocity(scene.flow.initial_velocity, scene.parameters) {}
   InitialVelocity(const std::vector<scene::Quantity>& given, const std::map<std::string, double>& parameters);
+  InitialVelocity(InitialVelocity&&) noexcept;
   ~InitialVelocity();
 
-  base::Vec<D> operator()(const base::Vec<D>& position) const;  // [m/s]; not thread-safe
+  base::Vec<D> operator()(const base::Vec<D>& position, double t = 0.0) const;  // [m/s]; not thread-safe
 
  private:
   struct Component {

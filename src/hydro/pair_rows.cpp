@@ -12,8 +12,9 @@ constexpr std::size_t rows_per_chunk = 256;  // fixed, so that nothing depends o
 }  // namespace
 
 template <int D>
-PairRows<D>::PairRows(const base::Box<D>& box, double reach, double skin, double spacing)
-    : blocks(box, reach + skin, spacing), box_(box), reach_(reach), skin_(skin) {
+PairRows<D>::PairRows(const base::Box<D>& box, double reach, double skin, double spacing,
+                      const typename Blocks<D>::Mirrors& mirrors)
+    : blocks(box, reach + skin, spacing, mirrors), box_(box), reach_(reach), skin_(skin) {
   for (int a = 0; a < D; ++a) {
     axes_[a].length = box.upper[a] - box.lower[a];
     axes_[a].half = box.periodic[a] ? 0.5 * axes_[a].length : std::numeric_limits<double>::infinity();
@@ -30,9 +31,8 @@ void PairRows<D>::build(sph::Particles<D>& particles) {
 }
 
 template <int D>
-void PairRows<D>::follow(sph::Particles<D>& particles) {
-  const double way2 = blocks.follow(particles.position.values());
-  if (!(way2 < 0.25 * skin_ * skin_)) build(particles);
+bool PairRows<D>::follow(const sph::Particles<D>& particles) {
+  return blocks.follow(particles.position.values()) < 0.25 * skin_ * skin_;
 }
 
 // Of solids, and of the blocks that have some about.

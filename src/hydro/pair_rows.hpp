@@ -19,12 +19,13 @@ class PairRows {
   using Vec = base::Vec<D>;
 
   // `spacing` [m] is how far apart particles stand, about.
-  PairRows(const base::Box<D>& box, double reach, double skin, double spacing);
+  PairRows(const base::Box<D>& box, double reach, double skin, double spacing,
+           const typename Blocks<D>::Mirrors& mirrors = {});
 
   // Sorts the particles, fluid first, and lists their pairs.
   void build(sph::Particles<D>& particles);
-  // Takes the positions into the blocks, and builds anew where a pair may be missing.
-  void follow(sph::Particles<D>& particles);
+  // Takes the positions into the blocks. False where a pair may be missing, so that they must be built anew.
+  bool follow(const sph::Particles<D>& particles);
 
   Blocks<D> blocks;
 

@@ -8,28 +8,14 @@
 
 #include "base/error.hpp"
 #include "hydro/effects/buoyancy.hpp"
-#include "hydro/initial_velocity.hpp"
-#include "hydro/wall_motion.hpp"
+#include "hydro/extents.hpp"
+#include "hydro/open/opening.hpp"
+#include "hydro/speeds.hpp"
 #include "scene/motion.hpp"
 #include "sph/kernel.hpp"
 
 namespace shmoo::hydro {
 namespace {
-
-template <int D>
-base::Vec<D> vector_of(const scene::Point& point) {
-  base::Vec<D> v;
-  for (int a = 0; a < D; ++a) v[a] = point[a];
-  return v;
-}
-
-bool is_periodic(const scene::Scene& scene, int axis) {
-  return scene.domain.sides[std::size_t(axis)][0].type == scene::SideType::periodic;
-}
-
-double extent(const scene::Scene& scene, int axis) {
-  return scene.domain.upper[std::size_t(axis)] - scene.domain.lower[std::size_t(axis)];
-}
 
 // The one fluid of the scene: every fluid material must have the same properties.
 const scene::Material& only_fluid(const scene::Scene& scene) {
@@ -59,81 +45,9 @@ double default_length(const scene::Scene& scene) {
   double walled = std::numeric_limits<double>::infinity(), any = walled;
   for (int a = 0; a < D; ++a) {
     any = std::min(any, extent(scene, a));
-    if (!is_periodic(scene, a)) walled = std::min(walled, extent(scene, a));
+    if (has_friction(scene, a)) walled = std::min(walled, extent(scene, a));
   }
   return std::isfinite(walled) ? walled : any;
-}
-
-// The speed to which a body force drives the fluid: the laminar channel's f L^2/(8 nu) where it acts along periodic
-// axes between walls, else that of a free fall over the domain.
-template <int D>
-double force_speed(const scene::Scene& scene, const Scales<D>& scales) {
-  double along_periodic = 0.0, fall = 0.0;
-  bool walls = false;
-  for (int a = 0; a < D; ++a) fall += scales.lightness * std::abs(scales.gravity[a]) * extent(scene, a);
-  for (int a = 0; a < D; ++a) {
-    walls = walls || !is_periodic(scene, a);
-    if (is_periodic(scene, a))
-      along_periodic += std::abs(scales.body_force[a]);
-    else
-      fall += std::abs(scales.body_force[a]) * extent(scene, a);
-  }
-  const double nu = scales.kinematic_viscosity();
-  const double free = std::sqrt(2.0 * along_periodic * scales.length);
-  const double channel = walls && nu > 0.0 ? along_periodic * scales.length * scales.length / (8.0 * nu) : free;
-  return std::max(channel, std::sqrt(2.0 * fall));
-}
-
-struct Candidate {
-  double speed;
-  const char* why;
-};
-
-// What an elastic solid starts with, and what it reaches in falling through the domain.
-template <int D, class Offer>
-void offer_solid(const scene::Material& material, const scene::Scene& scene, const sph::Filling<D>& filling,
-                 const Offer& offer) {
-  if (!material.elastic) return;
-  const auto index = std::uint16_t(&material - scene.materials.data());
-  const InitialVelocity<D> initial(material.elastic->initial_velocity, scene.parameters);
-  for (std::size_t i = 0; i < filling.voxels; ++i)
-    if (filling.particles.material[i] == index)
-      offer(initial(filling.particles.position[i]).norm(), "largest initial velocity of a solid");
-  double fall = 0.0;
-  for (int a = 0; a < D; ++a) fall += std::abs(material.elastic->body_force[std::size_t(a)]) * extent(scene, a);
-  offer(std::sqrt(2.0 * fall), "free fall of a solid through the domain");
-}
-
-template <int D>
-Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& filling, const Scales<D>& scales) {
-  Candidate best{0.0, "nothing moves"};
-  const auto offer = [&](double speed, const char* why) {
-    if (speed > best.speed) best = {speed, why};
-  };
-  if (scales.thermal_energy > 0.0) {
-    offer(std::sqrt(D * scales.thermal_energy / scales.mass), "thermal velocity sqrt(D kT/m)");
-  }
-  if (scene.flow.reference_speed) {  // no noise survives a sound slower than the thermal velocity
-    offer(*scene.flow.reference_speed, "flow.reference_speed");
-    return best;
-  }
-  for (const auto& inflow : scene.inflows) {
-    if (inflow.velocity) offer(vector_of<D>(*inflow.velocity).norm(), "largest inflow velocity");
-  }
-  const WallMotion<D> motion(scene);
-  for (std::size_t i = 0; i < filling.particles.size(); ++i) {
-    if (filling.particles.role[i] == sph::Role::fluid) continue;
-    offer(motion.surface_velocity(filling.particles.material[i], filling.particles.position[i], 0.0).norm(),
-          "largest wall velocity");
-  }
-  const InitialVelocity<D> initial(scene);
-  for (std::size_t i = 0; i < filling.voxels; ++i) {
-    if (filling.particles.role[i] != sph::Role::fluid) continue;
-    offer(initial(filling.particles.position[i]).norm(), "largest initial velocity");
-  }
-  for (const auto& material : scene.materials) offer_solid<D>(material, scene, filling, offer);
-  offer(force_speed<D>(scene, scales), "speed that body force and buoyancy drive");
-  return best;
 }
 
 // What an inflow must push against: the pressure drop over density [m^2/s^2] of plane Poiseuille flow of mean speed U
@@ -141,14 +55,17 @@ Candidate largest_speed(const scene::Scene& scene, const sph::Filling<D>& fillin
 template <int D>
 double channel_drop(const scene::Scene& scene, double nu_U) {
   double drop = 0.0;
-  for (const auto& inflow : scene.inflows) {
-    for (int along = 0; along < D; ++along) {
-      if (!inflow.velocity || (*inflow.velocity)[std::size_t(along)] == 0.0) continue;
-      for (int across = 0; across < D; ++across) {
-        if (across == along || is_periodic(scene, across)) continue;
-        drop = std::max(drop, 12.0 * nu_U * extent(scene, along) / (extent(scene, across) * extent(scene, across)));
-      }
+  const auto push = [&](int along) {
+    for (int across = 0; across < D; ++across) {
+      if (across == along || !has_friction(scene, across)) continue;
+      drop = std::max(drop, 12.0 * nu_U * extent(scene, along) / (extent(scene, across) * extent(scene, across)));
     }
+  };
+  for (int along = 0; along < D; ++along) {
+    for (const auto& inflow : scene.inflows)
+      if (inflow.velocity && (*inflow.velocity)[std::size_t(along)] != 0.0) push(along);
+    for (const auto& side : scene.domain.sides[std::size_t(along)])
+      if (!side.inflow.empty()) push(along);
   }
   return drop;
 }
@@ -159,11 +76,12 @@ void derive_sound(const scene::Scene& scene, Scales<D>& scales, std::vector<Deri
   double force = 0.0;
   for (int a = 0; a < D; ++a) {
     const double f = std::abs(scales.body_force[a]) + scales.lightness * std::abs(scales.gravity[a]);
-    force += f * (is_periodic(scene, a) ? L : extent(scene, a));
+    force += f * (passes(scene, a) ? L : extent(scene, a));
   }
-  const double terms[] = {U * U, nu * U / L, force, channel_drop<D>(scene, U * nu)};
-  const char* names[] = {"U^2", "nu U/L", "|f| L", "12 nu U l/w^2"};
-  const auto largest = std::size_t(std::max_element(terms, terms + 4) - terms);
+  const double terms[] = {U * U, nu * U / L, force, channel_drop<D>(scene, U * nu),
+                          held_pressure_drop(scene) / scales.density};
+  const char* names[] = {"U^2", "nu U/L", "|f| L", "12 nu U l/w^2", "dp/rho"};
+  const auto largest = std::size_t(std::max_element(terms, terms + 5) - terms);
   std::string why;
   if (scene.flow.sound_speed) {
     scales.sound_speed = *scene.flow.sound_speed;
@@ -172,7 +90,8 @@ void derive_sound(const scene::Scene& scene, Scales<D>& scales, std::vector<Deri
     scales.sound_speed = std::sqrt(terms[largest] / scene.flow.density_variation);
     why = fmt::format(
         "sqrt({}/{:g}), the largest of U^2, nu U/L, |f| L and, for an inflow, the "
-        "pressure drop over a channel of length l and width w, over the allowed density variation",
+        "pressure drop over a channel of length l and width w (or between open sides), over the allowed density "
+        "variation",
         names[largest], scene.flow.density_variation);
   }
   if (!(scales.sound_speed > 0.0)) {

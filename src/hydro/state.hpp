@@ -20,7 +20,7 @@ struct State {
       : particles(std::move(filling.particles)),
         box(filling.box),
         scales(its_scales),
-        rows(box, scales.reach, skin(box, scales), scales.spacing),
+        rows(box, scales.reach, skin(box, scales), scales.spacing, filling.mirrors),
         velocity(particles.template require<Vec>("velocity", "m/s")),
         acceleration(particles.template require<Vec>("acceleration", "m/s^2")),
         density(particles.template require<double>("density", "kg/m^3")),

@@ -72,6 +72,7 @@ void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& an
 #pragma omp parallel for schedule(static) if (worth_threads(4 * solid.size()))
         for (std::size_t n = 0; n < solid.size(); ++n) {
           const std::size_t i = solid[n];
+          if (state.particles.role[i] == sph::Role::open) continue;
           Vec v = mirrored(state, kernel, i);
           if (fit_) fit_->velocity(state, motion_, kernel, t, n, v);
           state.velocity[i] = v;
@@ -88,6 +89,7 @@ void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
 #pragma omp parallel for schedule(static) if (worth_threads(4 * solid.size()))
   for (std::size_t n = 0; n < solid.size(); ++n) {
     const std::size_t i = solid[n];
+    if (state.particles.role[i] == sph::Role::open) continue;
     double sum = 0.0, p_sum = 0.0;
     base::Vec<D> lever = base::Vec<D>::Zero();
     const std::uint64_t first = state.rows.first(i);

@@ -47,7 +47,7 @@ Network::Network(const scene::Scene& scene)
   for (const scene::Reaction& reaction : scene.reactions) compile(reaction, scene.materials, mistakes);
   if (!mistakes.empty()) throw base::InputError(std::move(mistakes));
   sort_by_material(scene.materials.size());
-  find_dependencies(scene.materials.size());
+  find_dependencies(scene.materials.size() + 1);
 }
 
 ExpressionNames expression_names(const Network& network) {
@@ -189,9 +189,9 @@ void Network::find_materials(const scene::Reaction& from, const std::vector<scen
 }
 
 void Network::sort_by_material(std::size_t materials) {
-  sampled_.resize(materials);
-  integrated_.resize(materials);
-  langevin_.resize(materials);
+  sampled_.resize(materials + 1);  // nothing runs in the last, of voxels that are vacant
+  integrated_.resize(materials + 1);
+  langevin_.resize(materials + 1);
   for (std::size_t r = 0; r < reactions_.size(); ++r) {
     const Reaction& reaction = reactions_[r];
     if (reaction.changes.empty()) continue;  // an event would change nothing

@@ -54,6 +54,7 @@ class ResultFile {
   const Entry& field(const std::string& name) const;       // base::InputError with the nearest name
   const Entry& observable(const std::string& name) const;  // the same
   // x, y, z of every particle at a time: the recorded positions, or where it started.
+  // Places that no particle has, in a domain with open sides, are no numbers.
   std::vector<double> positions(std::size_t time) const;
   Slice field_slice(const Entry& entry, std::size_t time) const;
   Course course(const Entry& entry) const;

@@ -42,7 +42,9 @@ void build_well(const Section& root, Draft& draft);
 void build_run(const Section& root, Scene& scene);
 void build_materials(const Section& root, Scene& scene);
 void build_domain(const Section& root, Scene& scene);
+void build_sides(const Section& domain, Scene& scene);
 void build_numerics(const Section& root, Scene& scene);
+void build_openings(const Section& root, Draft& draft);
 void build_regions(const Section& root, Scene& scene);
 void build_parameters(const Section& root, Draft& draft);
 void build_species(const Section& root, Draft& draft);
@@ -61,8 +63,9 @@ void build_depth(const Section& root, Scene& scene);
 void build_observables(const Section& root, Scene& scene);
 void build_record(const Section& root, Scene& scene);
 
-// The entries of a list of velocities or formulas for them, one per axis.
-std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& section, const toml::node& list);
+// The entries of a list of velocities or formulas for them, one per axis; these may read t where `timed`.
+std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& section, std::string_view key,
+                                        const toml::node& list, bool timed = false);
 
 // The shape that a table describes; null where it is absent or wrong.
 ShapePointer build_shape(const Section& section, int dimension);
@@ -81,10 +84,12 @@ bool read_surface(const Section& section, const Scene& scene, Reaction& reaction
 // turns false.
 std::vector<int> material_list(const Scene& scene, const Section& section, std::string_view key, bool& good);
 
-// Checks a formula: defined names, dimension; a concentration is not negative. Variables are x, y, z, the parameters
-// and, where it is a rate law, t and the species. Returns the species that it uses.
+// What a formula may read besides x, y, z and the parameters.
+enum class Reads { place, time, rate_law };  // nothing; t; t and the species
+
+// Checks a formula: defined names, dimension; a concentration is not negative. Returns the species that it uses.
 std::vector<int> check_formula(const Draft& draft, const Section& section, std::string_view key, const toml::node& at,
-                               const base::Dimension& dimension, bool rate_law);
+                               const base::Dimension& dimension, Reads reads);
 
 // Checks a formula of pure numbers: defined names only. Variables are the parameters, t, the species and, in a scene
 // with particles, x, y, z. Returns the species that it uses.

@@ -49,6 +49,13 @@ std::optional<Place> place_named(const std::string& name, const toml::node& at, 
                   fmt::format("{} is periodic, so nothing ends there; make the axis \"wall\" or \"reflect\"", name));
     return std::nullopt;
   }
+  if (is_open(side.type)) {
+    section.error(at, "at",
+                  fmt::format("fluid passes {}, and species with it; say what enters by 'species' of that side in "
+                              "domain.boundary",
+                              name));
+    return std::nullopt;
+  }
   return place;
 }
 

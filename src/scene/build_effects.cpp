@@ -6,6 +6,7 @@
 
 #include "scene/build.hpp"
 #include "scene/check.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -53,7 +54,8 @@ std::string driver(const Scene& scene, const Asked& asked) {
     return fmt::format("the solid {}", solid->name);
   for (const auto& axis : scene.domain.sides)
     for (const auto& side : axis)
-      if (side.velocity != Point{}) return "a sliding side of the domain";
+      if (side.velocity != Point{} || is_open(side.type))
+        return is_open(side.type) ? "an open side of the domain" : "a sliding side of the domain";
   if (asked.automatic("thermal_noise") && scene.flow.thermal_energy) return "flow.temperature";
   return asked.value("thermal_noise") == true ? "effects.thermal_noise" : "";
 }
@@ -120,6 +122,10 @@ void check_requests(const Asked& asked, const Scene& scene) {
   needs("thermal_noise", scene.flow.thermal_energy.has_value(), "needs flow.temperature or flow.thermal_energy");
   needs("thermal_noise", asked.value("viscosity") != false,
         "needs the viscosity that it balances; remove effects.viscosity = false");
+  for (const auto& axis : scene.domain.sides)
+    for (const auto& side : axis)
+      needs("thermal_noise", !is_open(side.type) && side.type != SideType::slip,
+            "has no law for open and slip sides yet; make the domain periodic or give it walls");
   needs("transport_velocity", asked.value("thermal_noise") != true,
         "shifts particles in a way that does not keep the temperature (2-D: 3 % low); remove it, noise alone keeps "
         "them apart");
@@ -135,6 +141,8 @@ void build_effects(const Section& root, Scene& scene) {
   for (const auto& [name, on] : effect_keys)
     if (asked.automatic(name)) scene.undecided.push_back(on);
   if (!effects.flow) {
+    if (has_open_sides(scene))
+      asked.error("flow", "fluid passes an open side of the domain; remove flow = false, or make the side \"reflect\"");
     if (why.starts_with("the solid"))
       asked.error("flow", fmt::format("{} moves in a fluid, which then moves too; remove flow = false, or make the "
                                       "fluid a still material",
@@ -146,6 +154,10 @@ void build_effects(const Section& root, Scene& scene) {
     return;
   }
   check_flow_data(root, scene, why);
+  if (has_open_sides(scene) && acts_back(scene) && scene.flow.buoyancy.empty())
+    root.error("materials",
+               "solids that species soften do not go together with open sides of the domain yet; use a "
+               "periodic axis and an [[inflow]] zone");
   if (const auto numerics = root.section("numerics"); numerics && scene.numerics.reach < least_reach)
     numerics->error("reach",
                     fmt::format("a flow (because of {}) needs a reach of at least {} spacings", why, least_reach));

@@ -5,6 +5,7 @@
 #include "base/units.hpp"
 #include "scene/build.hpp"
 #include "scene/check.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -53,6 +54,7 @@ void build_buoyancy(const Section& root, Draft& draft) {
       buoyancy.species = species_index(draft, *name, section, "species", *section.find("species"));
     buoyancy.expansion = section.quantity("expansion").value_or(0);
     buoyancy.reference = section.quantity("reference").value_or(0);
+    if (has_open_sides(draft)) section.error("does not go together with open sides of the domain yet; use walls");
     if (draft.flow.gravity == Point{}) section.error("nothing weighs; give flow.gravity");
     if (draft.numerics.steady_tolerance)
       section.error("the flow follows its species and is never carried; remove numerics.steady_tolerance");
@@ -62,7 +64,8 @@ void build_buoyancy(const Section& root, Draft& draft) {
 
 }  // namespace
 
-std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& section, const toml::node& list) {
+std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& section, std::string_view key,
+                                        const toml::node& list, bool timed) {
   std::vector<Quantity> formulas;
   for (const auto& entry : *list.as_array()) {
     const auto text = entry.value_or(std::string());
@@ -70,8 +73,8 @@ std::vector<Quantity> velocity_formulas(const Draft& draft, const Section& secti
       formulas.push_back({quantity_of(entry), ""});
       continue;
     }
-    check_formula(draft, section, "initial_velocity", entry, base::dimensions::speed, false);
-    formulas.push_back({0, text});
+    check_formula(draft, section, key, entry, base::dimensions::speed, timed ? Reads::time : Reads::place);
+    formulas.push_back({0, expanded(draft, text)});
   }
   return formulas;
 }
@@ -98,7 +101,7 @@ void build_flow(const Section& root, Draft& draft) {
   Flow& flow = draft.flow;
   flow.body_force = section->point("body_force");
   if (const auto* list = section->good("initial_velocity"); list && list->is_array())
-    flow.initial_velocity = velocity_formulas(draft, *section, *list);
+    flow.initial_velocity = velocity_formulas(draft, *section, "initial_velocity", *list);
   flow.gravity = section->point("gravity").value_or(Point{});
   flow.reference_speed = section->quantity("reference_speed");
   flow.reference_length = section->quantity("reference_length");

@@ -15,7 +15,7 @@ struct Names {
 };
 
 // Concentrations are tried over all that occurs, from a molecule in a cubic millimetre to water.
-Names names_of(const Draft& draft, bool rate_law) {
+Names names_of(const Draft& draft, Reads reads) {
   Names names;
   const auto axis = [&](std::size_t i) {
     names.variables.push_back(
@@ -28,9 +28,10 @@ Names names_of(const Draft& draft, bool rate_law) {
         {name, dimension == draft.parameter_dimensions.end() ? base::Dimension{} : dimension->second, value, value});
   }
   for (const auto& name : draft.bad_names) names.variables.push_back({name, {}});
-  if (rate_law) names.variables.push_back({"t", base::dimensions::time, 0, std::max(draft.run.until, 1e-300)});
+  if (reads != Reads::place)
+    names.variables.push_back({"t", base::dimensions::time, 0, std::max(draft.run.until, 1e-300)});
   names.first_species = names.variables.size();
-  if (rate_law)
+  if (reads == Reads::rate_law)
     for (const auto& species : draft.species)
       if (is_identifier(species.name) && !draft.parameters.contains(species.name) &&
           !draft.bad_names.contains(species.name))
@@ -41,8 +42,8 @@ Names names_of(const Draft& draft, bool rate_law) {
 }  // namespace
 
 std::vector<int> check_formula(const Draft& draft, const Section& section, std::string_view key, const toml::node& at,
-                               const base::Dimension& dimension, bool rate_law) {
-  const auto [variables, first_species] = names_of(draft, rate_law);
+                               const base::Dimension& dimension, Reads reads) {
+  const auto [variables, first_species] = names_of(draft, reads);
   std::vector<std::string> names;
   for (const auto& variable : variables) names.push_back(variable.name);
   std::vector<int> used;
@@ -67,7 +68,7 @@ std::vector<int> check_formula(const Draft& draft, const Section& section, std::
 }
 
 std::vector<int> check_numbers(const Draft& draft, const Section& section, std::string_view key, const toml::node& at) {
-  const auto [variables, first_species] = names_of(draft, true);
+  const auto [variables, first_species] = names_of(draft, Reads::rate_law);
   std::vector<std::string> names;
   for (const auto& variable : variables) names.push_back(variable.name);
   std::vector<int> used;

@@ -83,7 +83,7 @@ void read_species_initial(const Section& section, Draft& draft, int index) {
       table->error(key.str(), "an expression stands alone; remove it, or give the amount by material only");
   const auto formula = table->text("expression");
   if (!formula) return;
-  check_formula(draft, *table, "expression", *table->find("expression"), base::dimensions::concentration, false);
+  check_formula(draft, *table, "expression", *table->find("expression"), base::dimensions::concentration, Reads::place);
   draft.initials.push_back({index, -1, nullptr, {0, expanded(draft, *formula)}, std::nullopt});
 }
 
@@ -101,7 +101,8 @@ std::optional<Initial> read_amount(const Section& section, const Draft& draft) {
   initial.count = section.quantity("count");
   if (const auto formula = section.text("expression")) {
     initial.concentration.expression = expanded(draft, *formula);
-    check_formula(draft, section, "expression", *section.find("expression"), base::dimensions::concentration, false);
+    check_formula(draft, section, "expression", *section.find("expression"), base::dimensions::concentration,
+                  Reads::place);
   }
   return initial;
 }

@@ -153,9 +153,13 @@ void read_boundary(const Section& section, const Scene& scene, const TypeRules& 
   if (side) {
     const auto axis = static_cast<int>(axis_names.find((*side)[0]));
     observable.side = 2 * axis + (side->ends_with("max") ? 1 : 0);
-    const auto& of = scene.domain.sides[static_cast<std::size_t>(axis)][0];
+    const auto& of = scene.domain.sides[static_cast<std::size_t>(axis)][side->ends_with("max") ? 1 : 0];
     if (axis >= scene.dimension || of.type == SideType::periodic)
       section.error("side", "this scene has no such side; it is periodic or beyond its dimensions");
+    else if (rules.flow && !has_friction(of.type))
+      section.error("side", "is open or a mirror, so no wall is there on which the fluid acts");
+    else if (is_open(of.type))
+      section.error("side", "is open: species pass it with the fluid, and the ledger counts them");
   } else if (rules.flow && observable.material >= 0 &&
              scene.materials[static_cast<std::size_t>(observable.material)].type == MaterialType::fluid) {
     section.error("in", "is a fluid; name a wall on which the fluid acts");

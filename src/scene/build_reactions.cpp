@@ -114,7 +114,7 @@ std::vector<int> read_law(const Section& section, const Draft& draft, Reaction& 
   if (const auto law = section.text("rate")) {
     reaction.expression = expanded(draft, *law);
     return check_formula(draft, section, "rate", *section.find("rate"),
-                         base::dimensions::concentration / base::dimensions::time, true);
+                         base::dimensions::concentration / base::dimensions::time, Reads::rate_law);
   }
   const auto law = section.text("propensity");
   if (!law) return {};

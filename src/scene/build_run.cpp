@@ -21,6 +21,12 @@ void check_reach(const Section& root, const Scene& scene) {
   if (!domain || !domain->good("size") || !domain->good("spacing")) return;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(scene.dimension); ++axis) {
     const double length = scene.domain.upper[axis] - scene.domain.lower[axis];
+    const auto& sides = scene.domain.sides[axis];
+    if ((sides[0].type == SideType::slip || sides[1].type == SideType::slip) && length < 0.55 * width)
+      domain->error("size",
+                    fmt::format("{:.6g} m along {} is less than a reach of the kernel and a bit, {:.6g} m, which a "
+                                "side of type \"slip\" needs; enlarge it, or choose a smaller spacing",
+                                length, axis_names[axis], 0.55 * width));
     if (scene.domain.sides[axis][0].type == SideType::periodic && length < width * (1 - 1e-12))
       domain->error(
           "size",
@@ -60,6 +66,7 @@ void read_record(const Section& section, Scene& scene) {
   if (!scene.species.empty() && scene.compartments.empty()) known.emplace_back("volume");
   if (quasi_static(scene)) known.emplace_back("position");
   if (in_motion(scene)) known.insert(known.end(), flow_fields.begin(), flow_fields.end());
+  if (has_open_sides(scene)) known.emplace_back("particle");
   for (const auto& [name, node] : section.names("record")) {
     if (std::find(known.begin(), known.end(), name) != known.end()) {
       scene.run.record.push_back(name);

@@ -30,7 +30,7 @@ void read_moduli(const Section& section, Elastic& elastic) {
 // Formulas of a velocity are those of the fluid's.
 void read_initial_velocity(const Section& section, const Draft& draft, Elastic& elastic) {
   const auto* list = section.good("initial_velocity");
-  if (list && list->is_array()) elastic.initial_velocity = velocity_formulas(draft, section, *list);
+  if (list && list->is_array()) elastic.initial_velocity = velocity_formulas(draft, section, "initial_velocity", *list);
 }
 
 std::optional<Softening> read_softening(const Section& section, const Draft& draft, const Material& material) {

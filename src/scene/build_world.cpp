@@ -1,4 +1,4 @@
-// Materials, the domain and its sides, regions.
+// Materials, the domain, regions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,54 +78,6 @@ Material material_of(const std::string& name, const Section& section, int dimens
   if (type == "wall" || type == "solid") material.motion = motion_of(section, "", dimension);
   if (type == "wall") material.surface_motion = motion_of(section, "surface_", dimension);
   return material;
-}
-
-std::optional<SideType> side_type(const std::string& name) {
-  if (name == "periodic") return SideType::periodic;
-  if (name == "wall") return SideType::wall;
-  if (name == "reflect") return SideType::reflect;
-  return std::nullopt;
-}
-
-void read_side(const Section& sides, const std::string& key, int axis, Side& side) {
-  const auto* node = sides.good(key);
-  if (!node) return;
-  if (const auto* name = node->as_string()) {
-    side = {side_type(name->get()).value_or(SideType::reflect), {}};
-    return;
-  }
-  const auto section = sides.section(key);
-  if (!section) return;
-  side = {side_type(section->text("type").value_or("")).value_or(SideType::reflect), {}};
-  if (!section->has("velocity")) return;
-  side.velocity = section->point("velocity").value_or(Point{});
-  if (section->good("type") && side.type != SideType::wall)
-    section->error("velocity", "only a side of type \"wall\" slides");
-  else if (side.velocity[static_cast<std::size_t>(axis)] != 0)
-    section->error("velocity", fmt::format("a side slides along itself; its {} component must be 0",
-                                           axis_names[static_cast<std::size_t>(axis)]));
-}
-
-void build_sides(const Section& domain, Scene& scene) {
-  auto& all = scene.domain.sides;
-  if (const auto name = domain.text("boundary"))
-    for (auto& pair : all) pair.fill({side_type(*name).value_or(SideType::reflect), {}});
-  const auto sides = domain.section("boundary");
-  if (!sides) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string name(1, axis_names[static_cast<std::size_t>(axis)]);
-    auto& [lower, upper] = all[static_cast<std::size_t>(axis)];
-    for (const std::string& key : {name, name + "_min", name + "_max"})
-      if (axis >= scene.dimension && sides->has(key))
-        sides->error(key, fmt::format("a scene of dimension {} has no axis {}; remove it", scene.dimension, name));
-    read_side(*sides, name, axis, lower);
-    upper = lower;
-    read_side(*sides, name + "_min", axis, lower);
-    read_side(*sides, name + "_max", axis, upper);
-    if ((lower.type == SideType::periodic) != (upper.type == SideType::periodic))
-      sides->error(sides->has(name + "_min") ? name + "_min" : name + "_max",
-                   fmt::format("an axis is periodic at both ends or at none; write {} = \"periodic\"", name));
-  }
 }
 
 void check_extent(const Section& domain, const Scene& scene) {

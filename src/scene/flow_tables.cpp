@@ -103,7 +103,8 @@ Table effects_table() {
       "from the numbers of the scene; `shmoo explain` tells which and why.",
       {{"default", {choice({"auto"})}, false, "as below", "\"auto\": for every effect that is not named here"},
        effect("flow", "true where something drives a fluid",
-              "the fluid moves; driven by an inflow velocity, a body force, an initial velocity, a moving wall or "
+              "the fluid moves; driven by an inflow velocity, an open side, a body force, an initial velocity, a "
+              "moving wall or "
               "thermal noise"),
        effect("viscosity", "true", "friction inside the fluid"),
        effect("density_diffusion", "true", "smooths the density"),

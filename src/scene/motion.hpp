@@ -11,6 +11,11 @@ inline bool has_solids(const Scene& scene) {
                      [](const Material& material) { return material.type == MaterialType::solid; });
 }
 
+inline bool has_open_sides(const Scene& scene) {
+  return std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(),
+                     [](const auto& axis) { return is_open(axis[0].type) || is_open(axis[1].type); });
+}
+
 // Whether species act back on what moves.
 inline bool acts_back(const Scene& scene) {
   if (scene.effects.flow && !scene.flow.buoyancy.empty()) return true;

@@ -34,6 +34,7 @@ void build(const Section& root, Draft& draft) {
   build_reactions(root, draft);
   build_events(root, draft);
   build_boundaries(root, draft);
+  if (!draft.well) build_openings(root, draft);
   build_inflows(root, draft);
   build_flow(root, draft);
   build_solids(root, draft);

@@ -74,25 +74,26 @@ struct Region {
 };
 
 // ---- domain --------------------------------------------------------------------------------------------------------
-// wall: no-slip for the fluid and reflecting for species; slip: a wall without friction; inlet and outlet: particles enter
-// and leave
+// wall: no-slip for the fluid and reflecting for species; slip: a mirror, a wall without friction; inlet and outlet: the
+// fluid passes, and particles enter and leave
 enum class SideType { periodic, wall, reflect, slip, inlet, outlet };
 
 struct Side {
   SideType type = SideType::reflect;
-  Point velocity{};  // [m/s] sliding velocity of a wall side; of what enters at an inlet
+  Point velocity{};                  // [m/s] sliding velocity of a wall side
+  std::vector<Quantity> inflow{};    // [m/s] of what enters at an inlet, one per axis; formulas see x, y, z and t
+  std::optional<double> pressure{};  // [Pa] held at an outlet, or at an inlet without a velocity
+  std::vector<std::pair<int, double>> species{};  // of what enters: species, concentration [molecules/m^3]; others 0
 };
 
-struct Refinement {
-  ShapePointer shape;
-  double spacing = 0;  // [m]
-};
+inline bool is_open(SideType type) { return type == SideType::inlet || type == SideType::outlet; }
+// Whether the fluid rubs on it. A side that only reflects species is a wall to a fluid.
+inline bool has_friction(SideType type) { return type == SideType::wall || type == SideType::reflect; }
 
 struct Domain {
   Point lower{}, upper{};                      // [m]
   double spacing = 0;                          // [m]
   std::array<std::array<Side, 2>, 3> sides{};  // [axis][0 = min, 1 = max]
-  std::vector<Refinement> refinements{};       // where particles stand closer
   int material = -1;                           // what fills all that no region covers; -1: nothing
   double jitter = 0;                           // random displacement of each starting position, in spacings (uniform in +-jitter per axis)
 };

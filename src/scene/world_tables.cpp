@@ -122,7 +122,7 @@ Table domain_table() {
         "distance of neighbouring particles at the start"},
        {"origin", {position()}, false, "0 on every axis", "lower corner of the box"},
        {"boundary",
-        {choice({"periodic", "wall", "reflect"}), subtable("sides")},
+        {choice({"periodic", "wall", "reflect", "slip"}), subtable("sides")},
         false,
         "\"reflect\"",
         "all sides at once, or a table of sides"},
@@ -139,24 +139,46 @@ Table domain_table() {
 }
 
 Table sides_table() {
-  const std::vector<Form> side{choice({"periodic", "wall", "reflect"}), subtable("side")};
+  const std::vector<Form> side{choice({"periodic", "wall", "reflect", "slip", "outlet"}), subtable("side")};
   std::vector<Key> keys;
   for (std::string_view name : {"x", "y", "z"})
     keys.push_back({name, side, false, "\"reflect\"", "both sides that this axis ends in"});
   for (std::string_view name : {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"})
     keys.push_back({name, side, false, "as its axis", "one side"});
   return {"sides", "domain.boundary",
-          "The sides of the domain: \"periodic\", \"wall\" (no slip for the fluid, reflects species) "
-          "or \"reflect\" (reflects species).",
+          "The sides of the domain: \"periodic\", \"wall\" (no slip for the fluid, reflects species), \"reflect\" "
+          "(reflects species), \"slip\" (a mirror for the fluid, reflects species), \"inlet\" or \"outlet\" (the fluid "
+          "passes).",
           std::move(keys)};
 }
 
 Table side_table() {
-  return {"side",
-          "a side of domain.boundary",
-          "A side that is more than its type.",
-          {{"type", {choice({"periodic", "wall", "reflect"})}, true, "", "what the side does"},
-           {"velocity", {velocity()}, false, "at rest", "sliding velocity of a wall, along the wall"}}};
+  return {
+      "side",
+      "a side of domain.boundary",
+      "A side that is more than its type.",
+      {{"type",
+        {choice({"periodic", "wall", "reflect", "slip", "inlet", "outlet"})},
+        true,
+        "",
+        "what the side does; inlets and outlets are all on one axis"},
+       {"velocity",
+        {per_axis({quantity(dimensions::speed, any), expression("a formula for a velocity")})},
+        false,
+        "at rest",
+        "of a wall: quantities, with which it slides along itself; of an inlet: what enters, quantities or formulas "
+        "of x, y, z, t and the parameters"},
+       {"pressure",
+        {quantity(dimensions::pressure, any)},
+        false,
+        "\"0 Pa\" at an outlet",
+        "held at an outlet, or at an inlet in place of a velocity"},
+       {"species",
+        {named({quantity(dimensions::concentration, not_negative)}, "the name of a species")},
+        false,
+        "none",
+        "concentrations in what enters through an inlet or an outlet, `{ A = \"10 nM\" }`; what leaves takes along "
+        "what it holds"}}};
 }
 
 Table material_table() {

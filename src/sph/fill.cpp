@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/random.hpp"
@@ -51,23 +52,43 @@ Lattice<D> make_lattice(const scene::Scene& scene, const base::Box<D>& box) {
     const double length = box.upper[a] - box.lower[a];
     lattice.inside[a] = std::max(1L, std::lround(length / scene.domain.spacing));
     lattice.step[a] = length / double(lattice.inside[a]);
-    if (!scene.effects.flow || box.periodic[a]) continue;
-    lattice.layers_low[a] = lattice.layers_high[a] = static_cast<long>(std::ceil(scene.numerics.reach));
+    if (!scene.effects.flow) continue;
+    const auto& sides = scene.domain.sides[std::size_t(a)];
+    lattice.layers_low[a] = layers_beyond(sides[0].type, scene.numerics.reach);
+    lattice.layers_high[a] = layers_beyond(sides[1].type, scene.numerics.reach);
   }
   return lattice;
 }
 
-// The side of the domain that a lattice point stands beyond: 2 axis + side, or -1 inside. In corners the last axis
-// rules.
+bool opens(const scene::Domain& domain, int side) {
+  return scene::is_open(domain.sides[std::size_t(side / 2)][std::size_t(side % 2)].type);
+}
+
+// The side of the domain that a lattice point stands beyond: 2 axis + side, or -1 inside. In corners walls go before
+// open sides, and then the last axis rules.
 template <int D>
-int side_beyond(const Lattice<D>& lattice, const Index<D>& k) {
+int side_beyond(const scene::Domain& domain, const Lattice<D>& lattice, const Index<D>& k) {
   int side = -1;
   for (int a = 0; a < D; ++a) {
-    if (k[a] < 0) side = 2 * a;
-    if (k[a] >= lattice.inside[a]) side = 2 * a + 1;
+    const int beyond = k[a] < 0 ? 2 * a : k[a] >= lattice.inside[a] ? 2 * a + 1 : -1;
+    if (beyond >= 0 && (side < 0 || !opens(domain, beyond))) side = beyond;
   }
   return side;
 }
+
+// The place inside the domain that is nearest to a lattice point.
+template <int D>
+Vec<D> place_inside(const Lattice<D>& lattice, Index<D> k) {
+  for (int a = 0; a < D; ++a) k[a] = std::clamp(k[a], 0L, lattice.inside[a] - 1);
+  return lattice.place(k);
+}
+
+template <int D>
+struct Placed {
+  Vec<D> x;
+  std::uint16_t material;
+  Role role;
+};
 
 template <int D>
 int material_at(const scene::Scene& scene, const Vec<D>& x, std::vector<std::size_t>& received) {
@@ -93,6 +114,32 @@ Role role_of(scene::MaterialType type) {
       break;
   }
   return Role::still;
+}
+
+// What stands beyond an open side: the material at the side goes on.
+template <int D>
+std::optional<Placed<D>> beyond_opening(const scene::Scene& scene, const Lattice<D>& lattice, const Index<D>& k) {
+  std::vector<std::size_t> received(scene.regions.size(), 0);
+  const int material = material_at(scene, place_inside<D>(lattice, k), received);
+  if (material < 0) return std::nullopt;
+  const auto& what = scene.materials[std::size_t(material)];
+  if (what.type == scene::MaterialType::solid)
+    throw base::InputError(fmt::format("the solid '{}' reaches an open side of the domain; keep it inside", what.name));
+  const Role role = what.type == scene::MaterialType::fluid ? Role::open : role_of(what.type);
+  return Placed<D>{lattice.place(k), static_cast<std::uint16_t>(material), role};
+}
+
+// Places for those that may enter before as many have left: 3 % of all and four layers of the cross-section.
+template <int D>
+std::size_t reserve_places(const scene::Scene& scene, const Lattice<D>& lattice, std::size_t voxels) {
+  std::size_t layer = 0;
+  for (int a = 0; a < D; ++a) {
+    const auto& sides = scene.domain.sides[std::size_t(a)];
+    if (!scene::is_open(sides[0].type) && !scene::is_open(sides[1].type)) continue;
+    layer = 1;
+    for (int b = 0; b < D; ++b) layer *= b == a ? 1 : std::size_t(lattice.inside[b]);
+  }
+  return layer == 0 ? 0 : voxels * 3 / 100 + 4 * layer;
 }
 
 template <int D>
@@ -127,6 +174,12 @@ void refuse_empty(const scene::Scene& scene, const Filling<D>& filling, const st
 
 }  // namespace
 
+long layers_beyond(scene::SideType type, double reach) {
+  if (scene::has_friction(type)) return static_cast<long>(std::ceil(reach));
+  // Fluid that is half a spacing and a bit beyond the side still has its whole support.
+  return scene::is_open(type) ? static_cast<long>(std::ceil(reach)) + 2 : 0;
+}
+
 template <int D>
 base::Box<D> domain_box(const scene::Domain& domain) {
   base::Box<D> box;
@@ -140,20 +193,20 @@ base::Box<D> domain_box(const scene::Domain& domain) {
 
 template <int D>
 Filling<D> fill(const scene::Scene& scene) {
-  Filling<D> filling{{}, domain_box<D>(scene.domain), {}, 0, 0, {}};
+  Filling<D> filling;
+  filling.box = domain_box<D>(scene.domain);
   const auto lattice = make_lattice<D>(scene, filling.box);
   filling.spacing = lattice.step;
   filling.cell = lattice.step.prod();
-  struct Placed {
-    Vec<D> x;
-    std::uint16_t material;
-    Role role;
-  };
-  std::vector<Placed> inside, beyond;
+  std::vector<Placed<D>> inside, beyond;
   std::vector<std::size_t> received(scene.regions.size(), 0);
   lattice.each([&](const Index<D>& k) {
     const Vec<D> x = lattice.place(k);
-    const int side = side_beyond<D>(lattice, k);
+    const int side = side_beyond<D>(scene.domain, lattice, k);
+    if (side >= 0 && opens(scene.domain, side)) {
+      if (const auto placed = beyond_opening<D>(scene, lattice, k)) beyond.push_back(*placed);
+      return;
+    }
     if (side >= 0) {
       beyond.push_back({x, side_material(scene.materials.size(), side / 2, side % 2), Role::wall});
       return;
@@ -167,15 +220,19 @@ Filling<D> fill(const scene::Scene& scene) {
     inside.push_back({x, static_cast<std::uint16_t>(material), role_of(type)});
   });
   filling.voxels = inside.size();
+  filling.reserve = reserve_places<D>(scene, lattice, filling.voxels);
+  for (std::size_t a = 0; a < D; ++a)
+    for (std::size_t side = 0; side < 2; ++side)
+      filling.mirrors[a][side] = scene.domain.sides[a][side].type == scene::SideType::slip;
   filling.particles.resize(inside.size() + beyond.size());
   auto& particles = filling.particles;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Placed& placed = i < inside.size() ? inside[i] : beyond[i - inside.size()];
+    const Placed<D>& placed = i < inside.size() ? inside[i] : beyond[i - inside.size()];
     particles.position[i] = placed.x;
     particles.id[i] = static_cast<std::uint32_t>(i);
     particles.material[i] = placed.material;
     particles.role[i] = placed.role;
-    if (placed.role == Role::wall || scene.domain.jitter == 0.0) continue;
+    if (placed.role == Role::wall || placed.role == Role::open || scene.domain.jitter == 0.0) continue;
     base::RandomSequence random({scene.run.seed, 0}, base::Stream::placement, 0, static_cast<std::uint32_t>(i));
     for (int a = 0; a < D; ++a) {
       particles.position[i][a] += (2.0 * random.uniform() - 1.0) * scene.domain.jitter * lattice.step[a];

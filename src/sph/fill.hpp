@@ -1,6 +1,9 @@
 #pragma once
 // Placing the particles of a scene: a lattice of the wanted spacing over the domain, later regions over earlier ones,
-// and where the fluid moves, layers of wall particles beyond every side that is not periodic.
+// and where the fluid moves, layers of particles beyond its sides: walls, or, beyond open sides, what stands inside
+// goes on. Periodic sides and mirrors have none.
+#include <array>
+
 #include "base/box.hpp"
 #include "scene/scene.hpp"
 #include "sph/particles.hpp"
@@ -15,7 +18,12 @@ struct Filling {
   std::size_t voxels = 0;            // particles inside the domain: ids 0 .. voxels-1
   double cell = 0;                   // [m^D] what one particle fills on the lattice
   std::vector<base::Vec<D>> vacant;  // [m] lattice points inside the domain that no region fills
+  std::size_t reserve = 0;           // places for particles that enter, above the voxels; 0 without open sides
+  std::array<std::array<bool, 2>, D> mirrors{};  // [axis][side] at which the fluid slips
 };
+
+// How many layers of particles stand beyond a side of this type where the fluid moves.
+long layers_beyond(scene::SideType type, double reach);
 
 template <int D>
 base::Box<D> domain_box(const scene::Domain& domain);

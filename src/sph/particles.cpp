@@ -37,6 +37,14 @@ void Particles<D>::permute(std::span<const std::uint32_t> order) {
 }
 
 template <int D>
+void Particles<D>::append(std::span<const std::uint32_t> originals) {
+  const std::size_t before = size_;
+  resize(before + originals.size());
+  for (auto& column : columns_)
+    for (std::size_t k = 0; k < originals.size(); ++k) column->copy(originals[k], before + k);
+}
+
+template <int D>
 void Particles<D>::throw_other_type(const std::string& name) {
   throw std::logic_error("column '" + name + "' exists with another type");
 }

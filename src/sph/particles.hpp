@@ -15,7 +15,8 @@ namespace shmoo::sph {
 using base::Mat;
 using base::Vec;
 
-enum class Role : std::uint8_t { fluid, wall, still, solid };
+// open: fluid beyond an open side, which shows what is held there
+enum class Role : std::uint8_t { fluid, wall, still, solid, open };
 
 class ColumnBase {
  public:
@@ -26,6 +27,7 @@ class ColumnBase {
   virtual std::size_t bytes() const = 0;
   virtual void resize(std::size_t particles) = 0;
   virtual void permute(std::span<const std::uint32_t> order) = 0;
+  virtual void copy(std::size_t from, std::size_t to) = 0;
 
  private:
   std::string name_, unit_;
@@ -47,6 +49,7 @@ class Column final : public ColumnBase {
     for (std::size_t i = 0; i < order.size(); ++i) scratch_[i] = values_[order[i]];
     values_.swap(scratch_);
   }
+  void copy(std::size_t from, std::size_t to) override { values_[to] = values_[from]; }
 
  private:
   static T zero() {
@@ -94,6 +97,18 @@ class Particles {
 
   // Particle i becomes what order[i] was; order is a permutation of 0 .. size-1.
   void permute(std::span<const std::uint32_t> order);
+  // Leaves out those of which gone(i) is true; the others keep their order.
+  template <class Gone>
+  void remove(Gone&& gone) {
+    std::vector<std::uint32_t> order, last;
+    for (std::size_t i = 0; i < size_; ++i) (gone(i) ? last : order).push_back(std::uint32_t(i));
+    const std::size_t rest = order.size();
+    order.insert(order.end(), last.begin(), last.end());
+    permute(order);
+    resize(rest);
+  }
+  // Adds a copy of every one of these at the end.
+  void append(std::span<const std::uint32_t> originals);
 
  private:
   template <class T>

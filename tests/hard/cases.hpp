@@ -22,7 +22,7 @@ inline void expect_laws(const std::string& name) {
 // Those that take longer than a few seconds run by name.
 inline bool slow(const std::string& name) {
   for (const char* one :
-       {"vortices", "sudden-lid", "strong-noise", "runaway-force", "spinning-bar"})
+       {"vortices", "sudden-lid", "strong-noise", "runaway-force", "spinning-bar", "swinging-stream"})
     if (name == one) return true;
   return false;
 }

@@ -62,8 +62,8 @@ void expect_same_bits(const scene::Scene& absent, const scene::Scene& zero) {
 TEST(AbsentEffects, LeaveTheBareFlow) {
   const auto fluid = make_fluid<2>(bare_scene());
   EXPECT_EQ(fluid.effects(), (std::vector<std::string>{"symmetric pressure", "density by continuity"}));
-  const std::set<std::string> bare{"position", "id",           "material", "role",   "velocity",     "acceleration",
-                                   "density", "pressure", "volume", "wall_velocity"};
+  const std::set<std::string> bare{"position",     "id",      "material", "role",   "velocity",
+                                   "acceleration", "density", "pressure", "volume", "wall_velocity"};
   EXPECT_EQ(columns(fluid), bare);
   EXPECT_EQ(limits(fluid), std::set<std::string>{"acoustic"});
   EXPECT_EQ(fluid.draws(), 0u);

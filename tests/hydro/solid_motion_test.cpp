@@ -222,4 +222,16 @@ TEST(SolidMotion, RefusesAThinSheetAndReportsAnInvertedBody) {
 }
 
 }  // namespace
+// A velocity that is no number ends the run, even where all others are sound.
+TEST(SolidMotion, WhatIsNoNumberIsRefused) {
+  auto solids = solids_of<2>(bar(2, "law = \"hooke-jaumann\""));
+  solids.bodies()[0].velocity[7][1] = std::numeric_limits<double>::quiet_NaN();
+  try {
+    advance(solids, 2);
+    ADD_FAILURE() << "went on";
+  } catch (const base::RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("is no number any more"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace shmoo::hydro::testing

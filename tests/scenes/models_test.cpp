@@ -66,12 +66,21 @@ TEST_P(ShippedModels, RunsForAShortWhile) {
   coupling::Outcome outcome;
   const auto sink = lab.realise(1, &outcome);
   EXPECT_TRUE(outcome.balanced);
+  // With open sides, places that no particle has are no numbers.
+  const auto& shared = lab.shared.fields();
+  const auto vacant = [&](const std::string& name, std::size_t time, std::size_t entry, std::size_t entries) {
+    const auto places = lab.experiment->particles();
+    if (!shared.contains("position") || !shared.contains(name) || entries % places != 0) return false;
+    const auto& position = shared.at("position").at(time);
+    return std::isnan(position[entry / (entries / places) * (position.size() / places)]);
+  };
   std::size_t records = 0;
   for (const auto* kind : {&lab.shared.fields(), &lab.shared.observables(), &sink.fields(), &sink.observables()}) {
     for (const auto& [name, by_time] : *kind) {
       EXPECT_EQ(by_time.size(), 2u) << name;
       for (const auto& [index, values] : by_time)
-        for (const double value : values) ASSERT_TRUE(std::isfinite(value)) << name;
+        for (std::size_t k = 0; k < values.size(); ++k)
+          ASSERT_TRUE(std::isfinite(values[k]) || vacant(name, index, k, values.size())) << name;
       ++records;
     }
   }

@@ -131,7 +131,8 @@ Numbers numbers_in(const scene::Scene& scene) {
   numbers.length = filling.box.size().minCoeff();
   numbers.voxels = filling.voxels;
   numbers.particles = filling.particles.size();
-  for (const auto role : filling.particles.role.values()) numbers.walls = numbers.walls || role != sph::Role::fluid;
+  for (const auto role : filling.particles.role.values())
+    numbers.walls |= role != sph::Role::fluid && role != sph::Role::open;
   if constexpr (D > 1) {
     if (scene.effects.flow) add_flow<D>(scene, filling, numbers);
     if (scene::has_solids(scene) && !scene::quasi_static(scene))

@@ -25,6 +25,7 @@ bool stands_clear(const State<D>& state, std::size_t i) {
   const double limit = clear * clear * state.scales.spacing * state.scales.spacing;
   const std::int32_t* row = state.rows.partner() + state.rows.first(i);
   for (std::uint32_t k = state.rows.count(i); k-- > 0 && std::size_t(row[k]) >= state.rows.blocks.fluid();) {
+    if (state.particles.role[std::size_t(row[k])] == sph::Role::open) continue;
     if (state.separation(i, std::size_t(row[k])).squaredNorm() < limit) return false;
   }
   return true;
@@ -43,7 +44,7 @@ WallView<D> look(const State<D>& state, const Kernel& kernel, std::size_t i) {
     const double r2 = x.squaredNorm(), r = std::sqrt(r2), V2 = state.volume[j] * state.volume[j];
     const double W = V2 * kernel.W(r);
     view.all += W;
-    if (particles.role[j] == sph::Role::fluid) continue;
+    if (particles.role[j] == sph::Role::fluid || particles.role[j] == sph::Role::open) continue;
     const double F = V2 * kernel.F(r);
     view.inside += W;
     view.velocity += W * (*state.wall_velocity)[j];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -46,12 +47,10 @@ void Immersion<D>::prepare(State<D>& state, const scene::Scene& scene) {
   const bool pistons = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
     return material.type == scene::MaterialType::wall && material.motion;
   });
-  const bool open = std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(), [](const auto& axis) {
-    return axis[0].type == scene::SideType::outlet || axis[1].type == scene::SideType::outlet;
-  });
   const auto& role = state.particles.role.values();
   const auto fluid = double(std::count(role.begin(), role.end(), sph::Role::fluid));
-  if (!pistons && !open) room_ = fluid * state.scales.mass / state.scales.density + solids_.volume();
+  if (!pistons && !scene::has_open_sides(scene))
+    room_ = fluid * state.scales.mass / state.scales.density + solids_.volume();
   locate(state);
   show(state);
 }
@@ -59,8 +58,12 @@ void Immersion<D>::prepare(State<D>& state, const scene::Scene& scene) {
 template <int D>
 void Immersion<D>::locate(const State<D>& state) {
   if (empty()) return;
-  std::vector<std::uint32_t> by_id(state.particles.size());
-  for (std::size_t i = 0; i < by_id.size(); ++i) by_id[state.particles.id[i]] = static_cast<std::uint32_t>(i);
+  std::vector<std::uint32_t> by_id;
+  for (std::size_t i = 0; i < state.particles.size(); ++i) {
+    if (state.particles.role[i] != sph::Role::solid) continue;
+    by_id.resize(std::max<std::size_t>(by_id.size(), state.particles.id[i] + 1));
+    by_id[state.particles.id[i]] = static_cast<std::uint32_t>(i);
+  }
   for (std::size_t b = 0; b < place_.size(); ++b) {
     const auto& body = solids_.bodies()[b];
     for (std::size_t k = 0; k < body.size(); ++k) place_[b][k] = by_id[body.id[k]];
@@ -115,7 +118,7 @@ void Immersion<D>::recoil(const State<D>& state, const sph::AnyKernel<D>& any_ke
     if (lost.isZero(0.0)) continue;
     impulse.resize(state.particles.size(), Vec(Vec::Zero()));
     const auto weigh = [&](std::size_t j) {
-      if (state.particles.role[j] == sph::Role::fluid) return 0.0;
+      if (state.particles.role[j] == sph::Role::fluid || state.particles.role[j] == sph::Role::open) return 0.0;
       return std::visit([&](const auto& kernel) { return kernel.W(state.separation(i, j).norm()); }, any_kernel);
     };
     const std::uint64_t first = state.rows.first(i), end = first + state.rows.count(i);

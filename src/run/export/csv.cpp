@@ -3,6 +3,7 @@
 #include <fmt/os.h>
 
 #include <array>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "run/export/export.hpp"
@@ -51,6 +52,7 @@ void write_field(const ResultFile& result, const Entry& field, const std::filesy
     const auto slice = result.field_slice(field, t);
     for (std::size_t i = 0; i < slice.mean.size(); ++i) {
       const auto particle = i / components;
+      if (std::isnan(positions[3 * particle])) continue;  // nothing is there now
       const auto material = static_cast<std::size_t>(result.material[particle]);
       out.print("{:.17g},{},{}", result.times[t], particle, result.material_names[material]);
       for (int a = 0; a < result.dimension; ++a)

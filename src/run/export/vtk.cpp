@@ -1,7 +1,9 @@
 // VTK XML PolyData (VTK File Formats, "XML File Formats"): appended raw blocks, each preceded by its size as UInt64.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -73,8 +75,16 @@ std::string point_data(const ResultFile& result, std::size_t time, Appended& app
 std::string poly_data(const ResultFile& result, std::size_t time) {
   const auto n = result.material.size();
   Appended appended;
-  std::vector<std::int64_t> connectivity(n), offsets(n);
-  for (std::size_t i = 0; i < n; ++i) connectivity[i] = static_cast<std::int64_t>(i), offsets[i] = connectivity[i] + 1;
+  auto positions = result.positions(time);
+  std::vector<std::int64_t> connectivity, offsets;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::isnan(positions[3 * i])) {  // nothing is there now: a point that no vertex shows
+      std::copy(result.lower.begin(), result.lower.end(), positions.begin() + std::ptrdiff_t(3 * i));
+      continue;
+    }
+    connectivity.push_back(static_cast<std::int64_t>(i));
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
   std::string xml =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<PolyData>\n";
@@ -83,10 +93,10 @@ std::string poly_data(const ResultFile& result, std::size_t time) {
     return array.insert(array.find(" format="), " NumberOfTuples=\"1\"");
   }());
   xml += fmt::format(
-      "<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+      "<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{1}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
       "NumberOfPolys=\"0\">\n",
-      n);
-  xml += "<Points>\n" + appended.array("Float64", "position", 3, result.positions(time)) + "</Points>\n";
+      n, connectivity.size());
+  xml += "<Points>\n" + appended.array("Float64", "position", 3, positions) + "</Points>\n";
   xml += "<Verts>\n" + appended.array("Int64", "connectivity", 1, connectivity) +
          appended.array("Int64", "offsets", 1, offsets) + "</Verts>\n";
   xml += "<PointData>\n" + point_data(result, time, appended) + "</PointData>\n</Piece>\n</PolyData>\n";

@@ -80,7 +80,7 @@ void plot_line(const ResultFile& result, const Entry& field, std::size_t time, c
   const auto length = readable("m", result.upper[0] - result.lower[0]);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    if (held[i]) order.push_back(i);
+    if (held[i] && !std::isnan(positions[3 * i])) order.push_back(i);
   }
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return positions[3 * a] < positions[3 * b]; });
   const auto arranged = [&](const std::vector<double>& values) {

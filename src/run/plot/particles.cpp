@@ -35,6 +35,7 @@ std::vector<std::size_t> shown_particles(const ResultFile& result, const std::ve
   const double middle = 0.5 * (result.lower[2] + result.upper[2]);
   // Of an even number of layers, the one just below the middle.
   for (std::size_t i = 0; 3 * i < positions.size(); ++i) {
+    if (std::isnan(positions[3 * i])) continue;  // nothing is there now
     const double off = positions[3 * i + 2] - middle;
     if (result.dimension < 3 || (off > -0.75 * result.spacing && off <= 0.25 * result.spacing)) shown.push_back(i);
   }

@@ -58,6 +58,7 @@ std::vector<Case> chemistry_cases(std::uint64_t seed);
 // Parts of the stability cases, by what they strain.
 std::vector<Case> hard_starts();      // where particles stand at the start
 std::vector<Case> hard_flows();       // forces, walls, noise
+std::vector<Case> hard_openings();    // particles that enter and leave
 std::vector<Case> hard_solids();      // elastic solids in a fluid
 std::vector<Case> hard_walls();       // fluid shot at walls
 std::vector<Case> hard_chemistry();   // numbers of molecules and rates

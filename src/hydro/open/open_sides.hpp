@@ -1,0 +1,93 @@
+#pragma once
+// Open sides. Beyond each stand layers of particles that complete the support of the fluid and show it what is held
+// there: at a side with a velocity this velocity, and the pressure continued from inside to first order; at a side
+// with a pressure this pressure at the side, with the slope that it has inside, and the velocity from inside as it is
+// at the side, dv/dn = 0. They move along the side's normal. One that moves into the domain becomes fluid, and the
+// layers go on with a copy of it at their far end; fluid that moves out joins the layers, which end at their depth: so
+// either side can let fluid in and out. (Layers that are fed from their far end: Federico et al. 2012, "Simulating 2D
+// open-channel flows through an SPH model"; values from inside by corrected sums: Tafuni et al. 2018, "A versatile
+// algorithm for the treatment of open boundary conditions in smoothed particle hydrodynamics GPU models".) An id is
+// never given twice.
+#include <functional>
+#include <queue>
+#include <vector>
+
+#include "hydro/open/opening.hpp"
+#include "hydro/state.hpp"
+#include "sph/cells.hpp"
+#include "sph/kernel.hpp"
+
+namespace shmoo::hydro {
+
+// Of a particle that has no place in what is recorded.
+inline constexpr std::uint32_t no_place = 0xFFFFFFFF;
+
+// What happened at an open side.
+struct Passage {
+  std::uint32_t place = 0, id = 0;  // in records; of the particle
+  int side = 0;                     // 2 axis + (0 = min, 1 = max)
+  bool enters = false;
+};
+
+template <int D>
+class OpenSides {
+ public:
+  using Vec = base::Vec<D>;
+
+  OpenSides(const scene::Scene& scene, const sph::Filling<D>& filling);
+
+  // Asks for the column `place`, and gives every particle inside the domain one.
+  void prepare(State<D>& state);
+  // Moves what is beyond the sides.
+  void carry(State<D>& state, double dt) const;
+  // Lets particles in and out. The rows must be built anew after it.
+  void exchange(State<D>& state, double t);
+  // Lists what is beyond the sides, and the fluid about it, once rows are built.
+  void locate(const State<D>& state);
+  void set_velocity(State<D>& state, const sph::AnyKernel<D>& kernel, double t);
+  void set_pressure(State<D>& state, const sph::AnyKernel<D>& kernel) const;
+
+  // Of every particle in the store, its place in records: whole numbers below voxels + reserve, or no_place. A particle
+  // that enters gets the lowest free one, which it leaves free again.
+  const std::vector<std::uint32_t>& place() const { return place_->values(); }
+  // What passed since begin_interval(), in that order; nothing is kept before the first.
+  const std::vector<Passage>& passages() const { return passages_; }
+  void begin_interval() {
+    keeps_passages_ = true;
+    passages_.clear();
+  }
+  std::uint64_t entered() const { return entered_; }  // particles so far
+  std::uint64_t left() const { return left_; }
+
+ private:
+  struct Beyond {
+    std::uint32_t particle;
+    std::uint32_t opening;
+  };
+  // Calls visit(weight, r, j) for the fluid j about the foot of the n-th particle beyond the sides, r away in reaches.
+  template <class Visit>
+  void visit_around(const State<D>& state, const sph::AnyKernel<D>& kernel, std::size_t n, const Visit& visit) const;
+  double pressure_beyond(const State<D>& state, const sph::AnyKernel<D>& kernel, std::size_t n) const;
+  const Opening<D>& opening_beyond(const Vec& x) const;
+  void let_in(State<D>& state, std::size_t i, const Opening<D>& opening, double t);
+  void let_out(State<D>& state, std::size_t i, const Opening<D>& opening);
+  void keep(const Passage& passage) {
+    if (keeps_passages_) passages_.push_back(passage);
+  }
+
+  std::vector<Opening<D>> openings_;
+  std::size_t voxels_, reserve_;
+  std::uint32_t next_id_;
+  sph::Column<std::uint32_t>* place_ = nullptr;
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_;  // places; the lowest first
+  std::vector<Beyond> beyond_;
+  std::vector<std::vector<std::uint32_t>> around_;  // of each, fluid particles about its foot
+  std::vector<Passage> passages_;
+  bool keeps_passages_ = false;
+  std::uint64_t entered_ = 0, left_ = 0;
+};
+
+extern template class OpenSides<2>;
+extern template class OpenSides<3>;
+
+}  // namespace shmoo::hydro

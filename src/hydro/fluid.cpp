@@ -174,7 +174,7 @@ template <int D>
 void Fluid<D>::evaluate(double dt) {
   const double next = dt > 0.0 ? dt : dt_;
   walls_.extrapolate_velocity(state_, kernel_, time_);
-  if (open_) open_->set_velocity(state_, kernel_, time_);
+  if (open_) open_->set_velocity(state_, kernel_, time_, dt);
   fill_slots();
   sweep_density(state_, kernel_, effects_, dt, next);
   solids_.close_volume(state_);

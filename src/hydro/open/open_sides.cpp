@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <utility>
+
 #include "base/error.hpp"
 #include "hydro/open/side_fit.hpp"
 
@@ -10,6 +13,8 @@ namespace {
 
 // [spacings] that a particle is let beyond a side before it counts as out, so that none goes in and out by turns.
 constexpr double hesitation = 0.5;
+// [crossings of sound] in which the velocity that an outlet gives way to sound from follows the mean one.
+constexpr double relaxation = 0.5;
 
 }  // namespace
 
@@ -18,7 +23,11 @@ OpenSides<D>::OpenSides(const scene::Scene& scene, const sph::Filling<D>& fillin
     : openings_(openings_of<D>(scene, filling)),
       voxels_(filling.voxels),
       reserve_(filling.reserve),
-      next_id_(std::uint32_t(filling.particles.size())) {}
+      next_id_(std::uint32_t(filling.particles.size())) {
+  flux_.resize(openings_.size());
+  crossing_ = filling.box.size()[openings_.front().axis];
+  for (const auto& opening : openings_) gives_way_ = gives_way_ || opening.velocity;
+}
 
 template <int D>
 void OpenSides<D>::prepare(State<D>& state) {
@@ -149,7 +158,7 @@ void OpenSides<D>::visit_around(const State<D>& state, const sph::AnyKernel<D>& 
 }
 
 template <int D>
-void OpenSides<D>::set_velocity(State<D>& state, const sph::AnyKernel<D>& kernel, double t) {
+void OpenSides<D>::set_velocity(State<D>& state, const sph::AnyKernel<D>& kernel, double t, double dt) {
   for (const auto& [i, o] : beyond_) {
     const auto& opening = openings_[o];
     if (opening.velocity) state.velocity[i] = (*opening.velocity)(opening.foot(state.particles.position[i]), t);
@@ -161,6 +170,27 @@ void OpenSides<D>::set_velocity(State<D>& state, const sph::AnyKernel<D>& kernel
     SideFit<D, D, false> fit(opening.axis);
     visit_around(state, kernel, n, [&](double W, const Vec& r, std::size_t j) { fit.add(W, r, state.velocity[j]); });
     if (!fit.empty()) state.velocity[beyond_[n].particle] = fit.at(0.0);
+  }
+  if (gives_way_) give_way(state, dt);
+}
+
+template <int D>
+void OpenSides<D>::give_way(const State<D>& state, double dt) {
+  const auto& scales = state.scales;
+  const double share = -std::expm1(-dt * scales.sound_speed / (relaxation * crossing_));
+  for (std::size_t o = 0; o < openings_.size(); ++o) {
+    if (openings_[o].velocity) continue;
+    double sum = 0.0, count = 0.0;
+    for (const auto& [i, opening] : beyond_) {
+      if (opening != o) continue;
+      sum += openings_[o].outward() * state.velocity[i][openings_[o].axis];
+      count += 1.0;
+    }
+    if (!(count > 0.0)) continue;
+    Flux& flux = flux_[o];
+    if (!std::exchange(flux.known, true)) flux.slow = sum / count;
+    flux.slow += share * (sum / count - flux.slow);
+    flux.excess = scales.density * scales.sound_speed * (sum / count - flux.slow);
   }
 }
 
@@ -176,7 +206,7 @@ double OpenSides<D>::pressure_beyond(const State<D>& state, const sph::AnyKernel
     });
     return fit.empty() ? state.scales.background : fit.at(distance)[0];
   }
-  const double held = state.scales.background + opening.pressure;
+  const double held = state.scales.background + opening.pressure + flux_[beyond_[n].opening].excess;
   SlopeFit fit;
   visit_around(state, kernel, n,
                [&](double W, const Vec& r, std::size_t j) { fit.add(W, r[opening.axis], state.pressure[j] - held); });

@@ -2,7 +2,10 @@
 // Open sides. Beyond each stand layers of particles that complete the support of the fluid and show it what is held
 // there: at a side with a velocity this velocity, and the pressure continued from inside to first order; at a side
 // with a pressure this pressure at the side, with the slope that it has inside, and the velocity from inside as it is
-// at the side, dv/dn = 0. They move along the side's normal. One that moves into the domain becomes fluid, and the
+// at the side, dv/dn = 0. They move along the side's normal. Where velocities say how much fluid passes, sound would
+// ring between hard inlets and soft outlets; so an outlet's pressure gives way to it: it is raised by rho c0 (u - u'),
+// u the mean velocity at the side and u' what u relaxes to within half a crossing of sound, which reflects a third of
+// the lowest mode and leaves a steady flow alone. One that moves into the domain becomes fluid, and the
 // layers go on with a copy of it at their far end; fluid that moves out joins the layers, which end at their depth: so
 // either side can let fluid in and out. (Layers that are fed from their far end: Federico et al. 2012, "Simulating 2D
 // open-channel flows through an SPH model"; values from inside by corrected sums: Tafuni et al. 2018, "A versatile
@@ -44,7 +47,8 @@ class OpenSides {
   void exchange(State<D>& state, double t);
   // Lists what is beyond the sides, and the fluid about it, once rows are built.
   void locate(const State<D>& state);
-  void set_velocity(State<D>& state, const sph::AnyKernel<D>& kernel, double t);
+  // `dt` [s] since it was last called, up to time t.
+  void set_velocity(State<D>& state, const sph::AnyKernel<D>& kernel, double t, double dt);
   void set_pressure(State<D>& state, const sph::AnyKernel<D>& kernel) const;
 
   // Of every particle in the store, its place in records: whole numbers below voxels + reserve, or no_place. A particle
@@ -68,6 +72,7 @@ class OpenSides {
   template <class Visit>
   void visit_around(const State<D>& state, const sph::AnyKernel<D>& kernel, std::size_t n, const Visit& visit) const;
   double pressure_beyond(const State<D>& state, const sph::AnyKernel<D>& kernel, std::size_t n) const;
+  void give_way(const State<D>& state, double dt);
   const Opening<D>& opening_beyond(const Vec& x) const;
   void let_in(State<D>& state, std::size_t i, const Opening<D>& opening, double t);
   void let_out(State<D>& state, std::size_t i, const Opening<D>& opening);
@@ -75,7 +80,16 @@ class OpenSides {
     if (keeps_passages_) passages_.push_back(passage);
   }
 
+  struct Flux {
+    bool known = false;
+    double slow = 0;    // [m/s] what the mean velocity relaxes to
+    double excess = 0;  // [Pa] of the pressure over what is held
+  };
+
   std::vector<Opening<D>> openings_;
+  std::vector<Flux> flux_;  // of each
+  double crossing_;         // [m] from one side to the other
+  bool gives_way_ = false;
   std::size_t voxels_, reserve_;
   std::uint32_t next_id_;
   sph::Column<std::uint32_t>* place_ = nullptr;

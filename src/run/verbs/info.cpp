@@ -32,7 +32,7 @@ void print_head(const ResultFile& result) {
              h5::get_number(provenance, "cpu_seconds_shared"));
   if (result.dimension > 0)
     fmt::print("  particles     {} in {}-D, spacing {:.4g} m, materials {}\n", result.material.size(), result.dimension,
-             result.spacing, fmt::join(result.material_names, ", "));
+               result.spacing, fmt::join(result.material_names, ", "));
   if (!result.times.empty()) {
     fmt::print("  time          {} records from {:.6g} to {:.6g} s\n", result.times.size(), result.times.front(),
                result.times.back());
@@ -51,7 +51,8 @@ void print_derived(hid_t file) {
 void print_fields(const ResultFile& result) {
   if (!result.fields.empty()) fmt::print("fields (last record: smallest .. largest mean)\n");
   for (const auto& field : result.fields) {
-    const auto mean = result.field_slice(field, result.times.size() - 1).mean;
+    auto mean = result.field_slice(field, result.times.size() - 1).mean;
+    std::erase_if(mean, [](double value) { return std::isnan(value); });  // places that no particle has
     const auto [low, high] = std::minmax_element(mean.begin(), mean.end());
     fmt::print("  {:<24} {:>12.5g} .. {:<12.5g} {:<14} [{}]{}\n", field.name, mean.empty() ? 0 : *low,
                mean.empty() ? 0 : *high, field.unit, fmt::join(field.shape, ", "),

@@ -46,12 +46,12 @@ void Chemistry::advance(std::shared_ptr<const Ground> ground, double t, double d
   if (solver_) solver_->advance(t + before, after, rdme::Process::both);
 }
 
-void Chemistry::pass(const std::vector<Passage>& passages, double volume) {
+void Chemistry::pass(const std::vector<Passage>& passages, double volume, std::uint64_t interval) {
   for (const auto& passage : passages) {
     leave(passage.voxel);
     if (!passage.enters) continue;
     const auto& side = scene_.domain.sides[std::size_t(passage.side / 2)][std::size_t(passage.side % 2)];
-    for (const auto& [species, concentration] : side.species) enter(passage, species, concentration * volume);
+    for (const auto& [species, concentration] : side.species) enter(passage, species, concentration * volume, interval);
   }
 }
 
@@ -67,11 +67,11 @@ void Chemistry::leave(std::size_t voxel) {
 }
 
 // Stochastic molecules are Poisson in number, as in any volume of a well-stirred reservoir.
-void Chemistry::enter(const Passage& passage, int species, double molecules) {
+void Chemistry::enter(const Passage& passage, int species, double molecules, std::uint64_t interval) {
   const auto s = std::size_t(species);
   const std::size_t entry = passage.voxel * state_.species + s;
   if (network_.stochastic(species)) {
-    base::RandomSequence random(key_, base::Stream::entering, 0, passage.id, std::uint32_t(s));
+    base::RandomSequence random(key_, base::Stream::entering, interval, passage.id, std::uint32_t(s));
     const auto count = base::poisson(random, molecules);
     state_.count[entry] += count;
     state_.ledger.counts[s].entered += count;

@@ -33,8 +33,8 @@ class Chemistry {
   void change(const std::function<void(rdme::State&)>& how) { how(state_); }
 
   // Voxels leave through open sides with all they hold, and others enter with what the side gives them, in this order;
-  // `volume` [m^3] is that of a voxel that enters. The next advance comes on new ground.
-  void pass(const std::vector<Passage>& passages, double volume);
+  // `volume` [m^3] is that of a voxel that enters. The next advance, of this number, comes on new ground.
+  void pass(const std::vector<Passage>& passages, double volume, std::uint64_t interval);
 
   // The ledger and what happened. Throws nothing: an imbalance is told in the outcome.
   void close(Outcome& outcome) const;
@@ -44,7 +44,7 @@ class Chemistry {
  private:
   void bind(std::shared_ptr<const Ground> ground);
   void leave(std::size_t voxel);
-  void enter(const Passage& passage, int species, double molecules);
+  void enter(const Passage& passage, int species, double molecules, std::uint64_t interval);
 
   const scene::Scene& scene_;
   const rdme::Network& network_;

@@ -168,7 +168,7 @@ class ExperimentOf final : public Experiment {
     const auto live = [&](const Interval<D>& interval) {
       if (progress.stop && progress.stop()) return false;
       if (has_chemistry_) {
-        chemistry.pass(interval.stage->frame().passages, filling_.cell * scene_->depth);
+        chemistry.pass(interval.stage->frame().passages, filling_.cell * scene_->depth, interval.number);
         chemistry.advance(interval.stage->ground(), interval.begin, interval.end - interval.begin, interval.number);
         if (acts_back) own_flow->feel(network_, chemistry.state());
       }

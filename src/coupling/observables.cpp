@@ -71,6 +71,10 @@ double largest_concentration(const scene::Scene& scene, int species) {
   for (const auto& inflow : scene.inflows)
     for (const auto& [which, target] : inflow.species)
       if (which == species) largest = std::max(largest, target);
+  for (const auto& axis : scene.domain.sides)
+    for (const auto& side : axis)
+      for (const auto& [which, concentration] : side.species)
+        if (which == species) largest = std::max(largest, concentration);
   return largest;
 }
 

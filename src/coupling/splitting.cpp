@@ -84,6 +84,9 @@ std::vector<double> reference_concentrations(const scene::Scene& scene, std::vec
     if (boundary.type == scene::BoundaryType::fixed) raise(boundary.species, boundary.value);
   for (const auto& inflow : scene.inflows)
     for (const auto& [species, target] : inflow.species) raise(species, target);
+  for (const auto& axis : scene.domain.sides)
+    for (const auto& side : axis)
+      for (const auto& [species, concentration] : side.species) raise(species, concentration);
   for (std::size_t round = 0; round < scene.reactions.size(); ++round) {
     for (const auto& reaction : scene.reactions) {
       double least = std::numeric_limits<double>::infinity();

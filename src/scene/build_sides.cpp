@@ -1,6 +1,7 @@
 // The sides of the domain.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/units.hpp"
@@ -74,7 +75,13 @@ void read_species(const Section& section, const Scene& scene, Side& side) {
   for (const auto& [key, value] : given->table()) {
     const int species = species_index(scene, std::string(key.str()), *given, key.str(), value);
     const auto concentration = given->quantity(key.str());
-    if (species >= 0 && concentration) side.species.emplace_back(species, *concentration);
+    if (species < 0 || !concentration) continue;
+    const auto& homes = scene.species[static_cast<std::size_t>(species)].homes;
+    const bool flows = std::any_of(homes.begin(), homes.end(), [&](int home) {
+      return scene.materials[static_cast<std::size_t>(home)].type == MaterialType::fluid;
+    });
+    if (!flows) given->error(key.str(), "does not live in the fluid, so it cannot enter with it");
+    side.species.emplace_back(species, *concentration);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "coupling/rules/settling.hpp"
 #include "run/explain/memory.hpp"
 #include "run/recorder.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::run {
 namespace {
@@ -33,7 +34,8 @@ double until_even(const scene::Scene& scene, const coupling::Numbers& numbers) {
 
 // A flow that nothing drives slows down as exp(-nu k^2 t), k = 2 pi/L on every axis; pairs are listed the less often.
 double mean_pace(const scene::Scene& scene, const coupling::Numbers& numbers, double time) {
-  const bool driven = scene.flow.body_force || !scene.inflows.empty() || scene.flow.initial_velocity.empty();
+  const bool driven = scene.flow.body_force || scene::has_open_sides(scene) || !scene.inflows.empty() ||
+                      scene.flow.initial_velocity.empty();
   if (driven || numbers.walls) return 1.0;
   const double k2 = scene.dimension * std::pow(2.0 * M_PI / numbers.flow.length, 2);
   const double decay = numbers.flow.kinematic_viscosity * k2 * time;

@@ -23,6 +23,9 @@ scene::Point plug_velocity(const scene::Scene& scene, double speed) {
   for (const auto& inflow : scene.inflows)
     if (inflow.velocity) return *inflow.velocity;
   scene::Point velocity{};
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t side = 0; side < 2; ++side)
+      if (!scene.domain.sides[a][side].inflow.empty()) velocity[a] = side == 0 ? speed : -speed;
   if (!scene.flow.body_force) return velocity;
   const auto& f = *scene.flow.body_force;
   const double size = std::hypot(f[0], f[1], f[2]);

@@ -69,10 +69,10 @@ TEST_P(ShippedModels, RunsForAShortWhile) {
   EXPECT_TRUE(outcome.balanced);
   // With open sides, places that no particle has are no numbers.
   const auto& shared = lab.shared.fields();
-  const auto vacant = [&](const std::string& name, std::size_t time, std::size_t entry, std::size_t entries) {
+  const auto vacant = [&](const std::string& name, std::size_t record, std::size_t entry, std::size_t entries) {
     const auto places = lab.experiment->particles();
     if (!shared.contains("position") || !shared.contains(name) || entries % places != 0) return false;
-    const auto& position = shared.at("position").at(time);
+    const auto& position = shared.at("position").at(record);
     return std::isnan(position[entry / (entries / places) * (position.size() / places)]);
   };
   std::size_t records = 0;

@@ -80,10 +80,47 @@ double taylor_green_energy(const Point& x, double t, Values p) {
   return 0.25 * p[3] * speed * speed * p[1] * p[1] * p[4];
 }
 
+// A thick ring in plane strain (n = 2) or sphere (n = 3) round the origin, under pressure from inside. S. P. Timoshenko
+// and J. N. Goodier, "Theory of Elasticity" (McGraw-Hill, 1970), sections 28 and 136.
+struct Lame {
+  double nu, E, base, ratio;  // base: p a^n/(b^n - a^n), ratio: (b/r)^n
+
+  Lame(const Point& x, Values p, int n) : nu(p[4]), E(2.0 * p[3] * (1.0 + nu)) {
+    const double inner = std::pow(p[0], n), outer = std::pow(p[1], n);
+    base = p[2] * inner / (outer - inner);
+    ratio = outer / std::pow(std::hypot(x[0], x[1], x[2]), n);
+  }
+};
+
+double lame_ring_strain(const Point& x, double, Values p) {
+  const Lame l(x, p, 2);
+  return (1.0 + l.nu) / l.E * l.base * (1.0 - 2.0 * l.nu + l.ratio);
+}
+
+double lame_ring_stress(const Point& x, double, Values p) {
+  const Lame l(x, p, 2);
+  return l.base * (1.0 + l.ratio);
+}
+
+double lame_sphere_strain(const Point& x, double, Values p) {
+  const Lame l(x, p, 3);
+  return l.base / l.E * (1.0 - 2.0 * l.nu + 0.5 * (1.0 + l.nu) * l.ratio);
+}
+
+double lame_sphere_stress(const Point& x, double, Values p) {
+  const Lame l(x, p, 3);
+  return l.base * (1.0 + 0.5 * l.ratio);
+}
+
 }  // namespace
 
 const std::vector<ExactSolution>& exact_solutions() {
   using namespace dimensions;
+  const std::vector<ExactSolution::Parameter> under_pressure{{"inner_radius", length},
+                                                             {"outer_radius", length},
+                                                             {"pressure", pressure},
+                                                             {"shear_modulus", pressure},
+                                                             {"poisson_ratio", none}};
   static const std::vector<ExactSolution> all{
       {"slab_diffusion",
        "C(x, t) in a slab from x = 0 (held at the concentration) to x = length (held at 0), empty at t = 0",
@@ -120,7 +157,14 @@ const std::vector<ExactSolution>& exact_solutions() {
        "their kinetic energy",
        energy,
        {{"speed", speed}, {"length", length}, {"viscosity", viscosity}, {"density", density}, {"depth", length}},
-       taylor_green_energy}};
+       taylor_green_energy},
+      {"lame_ring_strain",
+       "hoop strain u/r of a thick ring round the origin, in plane strain, under pressure from inside", none,
+       under_pressure, lame_ring_strain},
+      {"lame_ring_stress", "its hoop stress", pressure, under_pressure, lame_ring_stress},
+      {"lame_sphere_strain", "hoop strain u/r of a thick sphere round the origin under pressure from inside", none,
+       under_pressure, lame_sphere_strain},
+      {"lame_sphere_stress", "its hoop stress", pressure, under_pressure, lame_sphere_stress}};
   return all;
 }
 

@@ -137,6 +137,7 @@ class ExperimentOf final : public Experiment {
       derived_.push_back(
           {"flow steady since", timeline.steady_since(), "s", "from then on it is carried, not computed"});
     }
+    for (auto& number : timeline.flow_told()) derived_.push_back(std::move(number));
     if (!geometry_.carries()) return;
     const double deviation = timeline.capacity_deviation();
     derived_.push_back(

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "coupling/energy_law.hpp"
 #include "coupling/live_solids.hpp"
 #include "hydro/fluid.hpp"
 #include "hydro/steadiness.hpp"
@@ -60,6 +61,7 @@ class FluidInMotion final : public LiveFlow<D> {
       }
     }
     look();
+    if (energy_) energy_->look(energy());
   }
 
   void picture(FlowPicture<D>& picture) const override {
@@ -81,6 +83,10 @@ class FluidInMotion final : public LiveFlow<D> {
   }
 
   bool steady() const override { return steady_; }
+
+  std::vector<Experiment::Derived> told() const override {
+    return energy_ ? std::vector<Experiment::Derived>{energy_->told()} : std::vector<Experiment::Derived>{};
+  }
 
   std::uint64_t steps() const override { return std::uint64_t(fluid_.steps()); }
 
@@ -104,6 +110,11 @@ class FluidInMotion final : public LiveFlow<D> {
     const double viscous = nu > 0.0 ? scales.length * scales.length / nu : crossing;
     window_ = part_of_time_scale * std::min(crossing, viscous);
     if (tolerance_) steadiness_.measure(fluid_);
+    if (undriven(scene)) energy_.emplace().look(energy());
+  }
+
+  double energy() const {
+    return fluid_.kinetic_energy() + fluid_.solids().kinetic_energy() + fluid_.solids().elastic_energy();
   }
 
   // What voxel particles have, by id or, with open sides, by their place in records; get(i) takes the particle's index
@@ -174,6 +185,7 @@ class FluidInMotion final : public LiveFlow<D> {
   double window_ = 0, looked_at_ = 0;
   hydro::Steadiness<D> steadiness_;
   bool steady_ = false;
+  std::optional<EnergyLaw> energy_;  // where nothing drives fluid and solids
 };
 
 }  // namespace

@@ -38,6 +38,8 @@ class LiveFlow {
 
   virtual std::uint64_t steps() const = 0;  // taken so far
   virtual std::vector<Experiment::Derived> derived() const = 0;
+  // What only the run has shown.
+  virtual std::vector<Experiment::Derived> told() const { return {}; }
 };
 
 // Of a scene in which something moves: its fluid, with its solids where there are, or its solids alone. Throws

@@ -14,9 +14,7 @@ class SolidsInMotion final : public LiveFlow<D> {
   explicit SolidsInMotion(const scene::Scene& scene) : SolidsInMotion(scene, sph::fill<D>(scene)) {}
 
   double interval() const override {
-    const double speed = solids_.max_speed();
-    const double longest =
-        solids_.soften() ? steps_between_feelings * solids_.step_limit() : std::numeric_limits<double>::infinity();
+    const double speed = solids_.max_speed(), longest = steps_ahead_ * solids_.step_limit();
     return speed > 0.0 ? std::min(longest, most_movement * spacing_ / speed) : longest;
   }
 
@@ -30,8 +28,8 @@ class SolidsInMotion final : public LiveFlow<D> {
       time_ = parts == 1.0 ? until : time_ + rest / parts;
       ++steps_;
     }
-    find_places();
     if (!frame) return;
+    find_places();
     frame->arrival = place_;
     for (std::size_t i = 0; i < place_.size(); ++i)
       frame->position[i] = box_.wrap(frame->position[i] + 0.5 * box_.nearest(place_[i] - frame->position[i]));
@@ -58,7 +56,10 @@ class SolidsInMotion final : public LiveFlow<D> {
 
  private:
   SolidsInMotion(const scene::Scene& scene, const sph::Filling<D>& filling)
-      : box_(filling.box), spacing_(scene.domain.spacing), solids_(scene, filling) {
+      : box_(filling.box),
+        spacing_(scene.domain.spacing),
+        steps_ahead_(scene.species.empty() ? 1.0 : steps_between_feelings),
+        solids_(scene, filling) {
     const auto& start = filling.particles.position.values();
     place_.assign(start.begin(), start.begin() + long(filling.voxels));
   }
@@ -70,6 +71,7 @@ class SolidsInMotion final : public LiveFlow<D> {
 
   base::Box<D> box_;
   double spacing_, time_ = 0;
+  double steps_ahead_;  // of an interval, at whose end a signal stops the run
   std::uint64_t steps_ = 0;
   hydro::Solids<D> solids_;
   std::vector<Vec> place_;  // by id

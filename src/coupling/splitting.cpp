@@ -87,6 +87,7 @@ std::vector<double> reference_concentrations(const scene::Scene& scene, std::vec
   for (const auto& axis : scene.domain.sides)
     for (const auto& side : axis)
       for (const auto& [species, concentration] : side.species) raise(species, concentration);
+  for (const auto& source : scene.mechanics.sources) raise(source.species, source.concentration);
   for (std::size_t round = 0; round < scene.reactions.size(); ++round) {
     for (const auto& reaction : scene.reactions) {
       double least = std::numeric_limits<double>::infinity();

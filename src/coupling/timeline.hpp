@@ -49,6 +49,10 @@ class Timeline {
 
   std::uint64_t flow_steps() const { return flow_ ? flow_->steps() : 0; }
 
+  std::vector<Experiment::Derived> flow_told() const {
+    return flow_ ? flow_->told() : std::vector<Experiment::Derived>{};
+  }
+
   // The largest |capacity rho/m - 1| of any voxel at any end of an interval: what passed between particles, relative.
   double capacity_deviation() const { return capacity_deviation_; }
 

@@ -64,7 +64,7 @@ void read_record(const Section& section, Scene& scene) {
   std::vector<std::string> known;
   for (const auto& species : scene.species) known.push_back(species.name);
   if (!scene.species.empty() && scene.compartments.empty()) known.emplace_back("volume");
-  if (quasi_static(scene)) known.emplace_back("position");
+  if (quasi_static(scene)) known.insert(known.end(), {"position", "hoop_strain", "hoop_stress"});
   if (in_motion(scene)) known.insert(known.end(), flow_fields.begin(), flow_fields.end());
   if (has_open_sides(scene)) known.emplace_back("particle");
   for (const auto& [name, node] : section.names("record")) {

@@ -113,6 +113,7 @@ std::vector<std::string> field_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const auto& species : scene.species) names.push_back(species.name);
   if (in_motion(scene)) names.insert(names.end(), {"velocity", "density", "pressure"});
+  if (quasi_static(scene)) names.insert(names.end(), {"hoop_strain", "hoop_stress"});
   return names;
 }
 

@@ -16,6 +16,7 @@ using scene::Overrides;
 scene::Scene coarse(const Overrides& more = {}) {
   Overrides all{{"domain.spacing", "\"0.8 um\""},
                 {"mechanics.columns", "40"},
+                {"mechanics.step", "\"10 s\""},
                 {"run.until", "\"200 s\""},
                 {"run.record_every", "\"50 s\""}};
   all.insert(all.end(), more.begin(), more.end());

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "coupling/chemistry.hpp"
+#include "coupling/quasi_static/step_control.hpp"
 #include "coupling/quasi_static/wall_ground.hpp"
 #include "coupling/quasi_static/wall_records.hpp"
 #include "coupling/schedule.hpp"
@@ -16,18 +17,10 @@ namespace {
 constexpr double lost_in_a_step =
     0.05;  // of a species, by reactions, where these are sampled in turns with what enters
 
-// Steps of first order shift what happens by half a step, so that a length that grows steadily is off by half a step's
-// part of the time.
-double macro_step(const scene::Scene& scene) {
-  return scene.mechanics.step.value_or(2.0 * scene.mechanics.tolerance * scene.run.until);
-}
-
 // Besides the usual: the twin of splitting_step knows nothing of what enters at the tip; where that and losses are
 // sampled in turns, steps must be short beside the loss.
 Step wall_splitting(const scene::Scene& scene, const rdme::Network& network, std::vector<double> reference) {
-  reference.resize(scene.species.size(), 0.0);
-  for (const auto& source : scene.mechanics.sources)
-    reference[std::size_t(source.species)] = std::max(reference[std::size_t(source.species)], source.concentration);
+  reference = reference_concentrations(scene, std::move(reference));
   Step step = splitting_step(scene, network, reference);
   if (scene.numerics.splitting_step || scene.mechanics.sources.empty() || !rdme::takes_turns(scene.numerics.sampler))
     return step;
@@ -46,7 +39,6 @@ class QuasiStatic final : public Experiment {
         notes_(std::move(judgement.notes)),
         network_(scene_),
         plan_(scene_),
-        step_(macro_step(scene_)),
         splitting_(wall_splitting(scene_, network_, judgement.reference)),
         records_(plan_, network_, record_times(scene_.run), !random()) {
     if (random() && any(scene::SpeciesMethod::stochastic)) sampler_ = rdme::make_sampler(scene_.numerics, network_);
@@ -71,11 +63,16 @@ class QuasiStatic final : public Experiment {
   std::vector<std::string> notes() const override { return notes_; }
 
   bool prepare(RecordSink& sink, const Progress& progress) override {
-    return random() || tell(0, sink, progress, alike_);
+    if (random()) return true;
+    StepControl control(scene_, false);
+    const bool finished = tell(0, sink, progress, alike_, control);
+    describe_steps(control);
+    return finished;
   }
 
   bool realise(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) override {
-    if (random()) return tell(k, sink, progress, outcome);
+    StepControl control(scene_, true);
+    if (random()) return tell(k, sink, progress, outcome, control);
     outcome = alike_;
     return true;
   }
@@ -89,16 +86,30 @@ class QuasiStatic final : public Experiment {
 
   void describe_wall() {
     const auto& start = plan_.start;
-    derived_.push_back({"macro step", step_, "s",
-                        scene_.mechanics.step
-                            ? "as given"
-                            : "2 mechanics.tolerance x run.until: a step of first order is late by half of it"});
+    derived_.push_back(macro_step());
     derived_.push_back({"wall layers", double(start.layers), "1", "thickness over domain.spacing"});
     derived_.push_back({"wall columns", double(start.columns), "1", "along half the outline"});
     derived_.push_back({"length under turgor", plan_.length, "m", "from tip to back, before anything grows"});
     if (scene_.species.empty()) return;
     derived_.push_back({"splitting_step", splitting_.value, "s", splitting_.why});
     if (splitting_.error > 0.0) derived_.push_back(splitting_error(splitting_));
+  }
+
+  Derived macro_step() const {
+    const StepControl control(scene_, random());
+    if (control.controlled())
+      return {"first macro step", control.step(), "s", "the next as mechanics.tolerance of the length allows"};
+    return {"macro step", control.step(), "s",
+            scene_.mechanics.step ? "as given"
+                                  : "2 mechanics.tolerance x run.until: a step of first order is late by half of it"};
+  }
+
+  void describe_steps(const StepControl& control) {
+    derived_.push_back({"macro steps", double(control.steps()), "1", "from equilibrium to equilibrium"});
+    derived_.push_back({"shortest macro step", control.shortest(), "s", "of all"});
+    derived_.push_back({"longest macro step", control.longest(), "s", "of all"});
+    derived_.push_back({"error of the length by steps", control.error(), "m",
+                        "sum of half of what every step did otherwise than the one before foretold"});
   }
 
   // What acts on the wall, and is not there unless the scene says so.
@@ -141,7 +152,7 @@ class QuasiStatic final : public Experiment {
     return all;
   }
 
-  bool tell(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome) const {
+  bool tell(std::uint32_t k, RecordSink& sink, const Progress& progress, Outcome& outcome, StepControl& control) const {
     const base::RandomKey key{scene_.run.seed, k};
     Wall wall(plan_);
     Chemistry chemistry(scene_, network_, key);
@@ -153,10 +164,12 @@ class QuasiStatic final : public Experiment {
     for (std::size_t record = 1; record < times.size(); ++record) {
       while (t < times[record]) {
         if (progress.stop && progress.stop()) return false;
-        const double end = interval_end(t, step_, times[record]);
+        const double end = interval_end(t, control.step(), times[record]);
+        const double length = wall.length();
         const auto ground = wall_ground(plan_, wall, sampler_.get());
         react(chemistry, ground, t, end, interval);
         wall.advance(end, end - t, concentrations(chemistry.state(), *ground));
+        control.learn(end - t, wall.length() - length, wall.length());
         const auto takes = wall.rezone(end);
         if (!takes.empty()) {
           chemistry.change([&](rdme::State& state) { redistribute(state, network_, takes, key, step); });
@@ -175,7 +188,6 @@ class QuasiStatic final : public Experiment {
   std::vector<std::string> notes_;
   rdme::Network network_;
   WallPlan plan_;
-  double step_;  // [s]
   Step splitting_;
   WallRecords records_;
   std::unique_ptr<rdme::Sampler> sampler_;  // only derives tables; null where no species is stochastic

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "coupling/quasi_static/wall_plan.hpp"
+#include "hydro/shell/hoop.hpp"
 #include "hydro/shell/rezone.hpp"
 
 namespace shmoo::coupling {
@@ -24,6 +25,8 @@ class Wall {
   const hydro::Points& filling() const { return filling_; }
   std::vector<double> volumes() const;  // [m^3] by particle, real
   hydro::Points outer_surface() const { return equilibrium_.energy().outer_surface(shell_); }
+  double length() const { return hydro::length_along_axis(outer_surface()); }  // [m] from tip to back
+  hydro::Hoop hoop(std::size_t i) const { return hydro::hoop_at(shell_, equilibrium_.energy(), i); }
   double cavity_volume() const;                          // [m^3]
   double spacing() const;                                // [m] largest distance of neighbours along or across the wall
   double largest_residual() const { return residual_; }  // [p R^2], plane: [p R], since the start

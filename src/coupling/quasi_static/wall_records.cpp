@@ -10,7 +10,7 @@ namespace {
 
 using scene::ObservableType;
 
-constexpr int volume = -1, position = -2;
+constexpr int volume = -1, position = -2, hoop_strain = -3, hoop_stress = -4;  // for a species
 constexpr double window = 0.1;  // [outer radii] of arc on either side, for curvatures
 
 // The particles as observables of chemistry see them.
@@ -50,9 +50,7 @@ void WallRecords::add_fields(const rdme::Network& network, bool shared) {
   };
   const std::size_t n = material_.size();
   const double voxel = plan_.real_volume(plan_.start.V0[plan_.start.size() / 2]);
-  auto reference = reference_concentrations(scene);
-  for (const auto& source : scene.mechanics.sources)
-    reference[std::size_t(source.species)] = std::max(reference[std::size_t(source.species)], source.concentration);
+  const auto reference = reference_concentrations(scene);
   for (std::size_t s = 0; s < scene.species.size(); ++s)
     add({scene.species[s].name,
          "molecules",
@@ -64,6 +62,8 @@ void WallRecords::add_fields(const rdme::Network& network, bool shared) {
         int(s));
   add({"volume", "m^3", false, shared, {n}, voxel, {}}, volume);
   add({"position", "m", false, shared, {n, 2}, plan_.ring.outer, {}}, position);
+  add({"hoop_strain", "1", false, shared, {n}, 1.0, {}}, hoop_strain);
+  add({"hoop_stress", "Pa", false, shared, {n}, plan_.elastic().shear_modulus, {}}, hoop_stress);
 }
 
 double WallRecords::shape(ObservableType type, const Wall& wall) const {
@@ -103,6 +103,10 @@ void WallRecords::read(std::size_t time, const Wall& wall, const rdme::State& st
         real.push_back(frame.arrival_capacity[i] * plan_.scene.depth);
       else if (species_[f] == position)
         real.insert(real.end(), {frame.arrival[i][0], frame.arrival[i][1]});
+      else if (species_[f] == hoop_strain)
+        real.push_back(i < plan_.start.size() ? wall.hoop(i).strain : 0.0);
+      else if (species_[f] == hoop_stress)
+        real.push_back(i < plan_.start.size() ? wall.hoop(i).stress : 0.0);
       else if (layout_.fields[f].whole)
         whole.push_back(state.count[entry]);
       else

@@ -26,7 +26,7 @@ class WallRecords {
   const WallPlan& plan_;
   std::vector<std::uint16_t> material_;
   RecordLayout layout_;
-  std::vector<int> species_;  // by field; -1: volume, -2: position
+  std::vector<int> species_;  // by field; negative: what is no species
 };
 
 }  // namespace shmoo::coupling

@@ -150,8 +150,19 @@ std::vector<Stretch> stretches(const Shell& shell, const ShellEnergy& energy) {
   return all;
 }
 
+// Of a layer's moduli: cubics must not pass them, least of all below zero.
+std::pair<double, double> extremes(const Shell& shell, int layer) {
+  double least = shell.shear[shell.at(0, layer)], most = least;
+  for (int k = 1; k < shell.columns; ++k) {
+    least = std::min(least, shell.shear[shell.at(k, layer)]);
+    most = std::max(most, shell.shear[shell.at(k, layer)]);
+  }
+  return {least, most};
+}
+
 // Sets what is interpolated; stretches still in the frame of the wall.
 void lay_out(Shell& next, int layer, const LayerState& state, const Marks& marks) {
+  const auto [softest, stiffest] = extremes(next, layer);
   for (int k = 0; k < next.columns; ++k) {
     const double u = marks.centre[std::size_t(k)];
     const std::size_t i = next.at(k, layer);
@@ -159,7 +170,7 @@ void lay_out(Shell& next, int layer, const LayerState& state, const Marks& marks
     next.B[i] << state.along(u), state.shear(u), state.shear(u), state.across(u);
     next.b[i] = state.hoop(u);
     next.growth[i] = std::max(0.0, state.growth(u));
-    next.shear[i] = state.modulus(u);
+    next.shear[i] = std::clamp(state.modulus(u), softest, stiffest);
   }
 }
 

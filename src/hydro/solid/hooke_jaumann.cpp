@@ -14,7 +14,7 @@ namespace shmoo::hydro {
 namespace {
 
 constexpr double courant = 0.25;       // of hs/wave speed
-constexpr double least_moment = 0.02;  // determinant of the second moment that is still inverted
+constexpr double least_moment = 1e-3;  // least over largest pivot of the moments that are still inverted
 constexpr double most_strain = 0.5;    // of the density that is still an elastic body's
 
 // The part of the stress that pulls, turned to push.
@@ -23,6 +23,22 @@ base::Mat<D> against_tension(const base::Mat<D>& sigma, double strength) {
   const Eigen::SelfAdjointEigenSolver<base::Mat<D>> axes(sigma);
   const base::Vec<D> push = -strength * axes.eigenvalues().cwiseMax(0.0);
   return axes.eigenvectors() * push.asDiagonal() * axes.eigenvectors().transpose();
+}
+
+// The first D rows of the moments' inverse: of the quadratic fit, else (a sheet of two layers) of the linear one, else
+// (a row of particles) none.
+template <int D, int N>
+Eigen::Matrix<double, D, N> fit_of(const Eigen::Matrix<double, N, N>& moments) {
+  Eigen::Matrix<double, D, N> fit = Eigen::Matrix<double, D, N>::Identity();
+  const auto sound = [](const auto& factors) {
+    const auto pivots = factors.vectorD();
+    return pivots.minCoeff() > least_moment * pivots.maxCoeff();
+  };
+  const Eigen::LDLT<Eigen::Matrix<double, N, N>> whole(moments);
+  if (sound(whole)) return whole.solve(Eigen::Matrix<double, N, N>::Identity()).template topRows<D>();
+  const Eigen::LDLT<base::Mat<D>> linear(base::Mat<D>(moments.template topLeftCorner<D, D>()));
+  if (sound(linear)) fit.template leftCols<D>() = linear.solve(base::Mat<D>::Identity());
+  return fit;
 }
 
 }  // namespace
@@ -39,13 +55,24 @@ HookeJaumann<D>::HookeJaumann(const Body<D>& body, const base::Box<D>& box, cons
       density_(body.size(), body.density),
       compression_(body.size(), 1.0),
       deviator_(body.size(), Mat::Zero()),
-      correction_(body.size(), Mat::Identity()),
-      pull_(body.size(), Mat::Zero()),
+      fit_(body.size()),
+      pull_(body.size()),
       repulsion_(body.size(), Mat::Zero()) {}
 
 template <int D>
 double HookeJaumann<D>::pressure(const Body<D>& body, std::size_t i) const {
   return body.bulk * (density_[i] / body.density - 1.0);
+}
+
+// In half reaches, times one so that linear terms keep their unit [m].
+template <int D>
+typename HookeJaumann<D>::Terms HookeJaumann<D>::p(const Vec& x) const {
+  Terms all;
+  all.template head<D>() = x;
+  int n = D;
+  for (int a = 0; a < D; ++a)
+    for (int b = a; b < D; ++b) all[n++] = x[a] * x[b] * (2.0 / reach_);
+  return all;
 }
 
 // Positions now, and pairs where particles have moved half the skin.
@@ -71,15 +98,16 @@ void HookeJaumann<D>::strain(const Body<D>& body, const Kernel& kernel, double d
   const double mass = body.mass();
 #pragma omp parallel for schedule(static) if (worth_threads(body.size()))
   for (std::size_t i = 0; i < body.size(); ++i) {
-    Mat moment = Mat::Zero(), raw = Mat::Zero();
+    Eigen::Matrix<double, terms, terms> moments = Eigen::Matrix<double, terms, terms>::Zero();
+    Eigen::Matrix<double, D, terms> raw = Eigen::Matrix<double, D, terms>::Zero();
     for (const std::uint32_t j : rows_.row(i)) {
-      const Vec x = apart(i, j);
-      const Vec Fx = mass / density_[j] * kernel.F(x.norm()) * x;
-      moment += Fx * x.transpose();
-      raw += (body.velocity[i] - body.velocity[j]) * Fx.transpose();
+      const Vec x = apart(j, i);
+      const Terms to = p(x), weighted = mass / density_[j] * kernel.F(x.norm()) * to;
+      moments += weighted * to.transpose();
+      raw += (body.velocity[j] - body.velocity[i]) * weighted.transpose();
     }
-    correction_[i] = moment.determinant() > least_moment ? Mat(moment.inverse()) : Mat(Mat::Identity());
-    const Mat gradient = raw * correction_[i];
+    fit_[i] = fit_of<D, terms>(moments);
+    const Mat gradient = raw * fit_[i].transpose();
     compression_[i] = 1.0 - dt * gradient.trace();
     const Mat eps = 0.5 * (gradient + gradient.transpose()), half_turn = 0.25 * dt * (gradient - gradient.transpose());
     // The turn in the time step, as a rotation to the last bit (Hughes & Winget 1980, Int. J. Numer. Meth. Eng. 15,
@@ -95,7 +123,7 @@ template <int D>
 void HookeJaumann<D>::set_pull(const Body<D>& body, std::size_t i) {
   const double rho2 = density_[i] * density_[i];
   const Mat sigma = deviator_[i] - pressure(body, i) * Mat::Identity();
-  pull_[i] = sigma * correction_[i] / rho2;
+  pull_[i] = sigma * fit_[i];
   if (artificial_stress_ > 0.0) repulsion_[i] = against_tension<D>(sigma, artificial_stress_ / rho2);
 }
 
@@ -111,8 +139,9 @@ void HookeJaumann<D>::accelerate(Body<D>& body, const Kernel& kernel) const {
       const double r2 = x.squaredNorm(), r = std::sqrt(r2), along = v.dot(x), f = kernel.W(r) / near;
       const double mu = std::min(0.0, hs * along / (r2 + 0.01 * hs * hs));  // [m/s] of approach
       const double viscous = viscosity_ * c * mu / (0.5 * (density_[i] + density_[j]));
-      const Mat pair = pull_[i] + pull_[j] + (f * f) * (f * f) * (repulsion_[i] + repulsion_[j]);
-      sum -= kernel.F(r) * (pair * x + viscous * x);
+      const Vec elastic = (pull_[i] * p(-x) - pull_[j] * p(x)) / (density_[i] * density_[j]);
+      const Vec artificial = (f * f) * (f * f) * ((repulsion_[i] + repulsion_[j]) * x) + viscous * x;
+      sum += kernel.F(r) * (elastic - artificial);
     }
     body.force[i] = mass * mass * sum;
   }

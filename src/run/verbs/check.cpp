@@ -1,7 +1,9 @@
-// shmoo check MODEL: reads and validates, computes nothing.
+// shmoo check MODEL: reads and validates, looks at the limits of what moves, and computes nothing.
 #include <fmt/format.h>
 
+#include "coupling/rules/judgement.hpp"
 #include "run/verbs/verbs.hpp"
+#include "scene/motion.hpp"
 #include "scene/well.hpp"
 
 namespace shmoo::run {
@@ -26,6 +28,7 @@ void declare_check(CLI::App& app, Desk& desk) {
                  scene.events.size());
       return;
     }
+    if (scene::in_motion(scene)) coupling::judge(scene);  // throws where the run could never finish
     fmt::print("{}: no mistakes (\"{}\", {}-D, {} materials, {} species, {} reactions)\n", wish->model, scene.title,
                scene.dimension, scene.materials.size(), scene.species.size(), scene.reactions.size());
   });

@@ -61,6 +61,7 @@ std::vector<Case> hard_flows();       // forces, walls, noise
 std::vector<Case> hard_openings();    // particles that enter and leave
 std::vector<Case> hard_solids();      // elastic solids in a fluid
 std::vector<Case> hard_walls();       // fluid shot at walls
+std::vector<Case> hard_shells();      // elastic walls in equilibrium
 std::vector<Case> hard_chemistry();   // numbers of molecules and rates
 std::vector<Case> hard_rates();       // extremes of both
 std::vector<Case> hard_splittings();  // steps that are too long or must shorten

@@ -23,7 +23,7 @@ bool undriven(const scene::Scene& scene) {
   if (scene.flow.body_force && any(*scene.flow.body_force)) return false;
   for (const auto& sides : scene.domain.sides)
     for (const auto& side : sides)
-      if (any(side.velocity)) return false;
+      if (scene::is_open(side.type) || any(side.velocity)) return false;
   return std::none_of(all.begin(), all.end(), moves);
 }
 

@@ -91,14 +91,9 @@ INSTANTIATE_TEST_SUITE_P(
             "It has: profile"},
         Mistake{head + quantity + "reference = { formula = \"slab_difusion\" }\n",
                 "S:17:25: error: quantity.0.reference.formula: there is no exact solution \"slab_difusion\"; did you "
-<<<<<<< HEAD
                 "mean 'slab_diffusion'? Known: slab_diffusion, plate_diffusion, channel_flow, circular_couette, "
                 "inclined_couette, taylor_green_speed, "
-                "taylor_green_energy"},
-=======
-                "mean 'slab_diffusion'? Known: slab_diffusion, plate_diffusion, channel_flow, circular_couette, inclined_couette, taylor_green_speed, "
                 "taylor_green_energy, lame_ring_strain, lame_ring_stress, lame_sphere_strain, lame_sphere_stress"},
->>>>>>> 57a6dff (Mend the rate form, step walls by error control, hold solids to hard cases)
         Mistake{
             head + quantity +
                 "reference = { formula = \"plate_diffusion\", parameters = { length = \"1 s\", concentration = "

@@ -4,12 +4,8 @@ namespace shmoo::run::verify {
 
 std::vector<Case> stability_cases() {
   std::vector<Case> all;
-<<<<<<< HEAD
-  for (auto part : {hard_starts(), hard_flows(), hard_walls(), hard_openings(), hard_solids(), hard_chemistry(),
-=======
-  for (auto part : {hard_starts(), hard_flows(), hard_walls(), hard_solids(), hard_shells(), hard_chemistry(),
->>>>>>> 57a6dff (Mend the rate form, step walls by error control, hold solids to hard cases)
-                    hard_rates(), hard_splittings()}) {
+  for (auto part : {hard_starts(), hard_flows(), hard_walls(), hard_openings(), hard_solids(), hard_shells(),
+                    hard_chemistry(), hard_rates(), hard_splittings()}) {
     for (auto& one : part) all.push_back(std::move(one));
   }
   return all;

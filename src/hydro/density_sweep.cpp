@@ -82,7 +82,7 @@ class DensitySweep {
       r2 = fma(pair.x[a], pair.x[a], r2);
       pair.v[a] = own.v[a] - slots.velocity[std::size_t(a)][slot];
     }
-    const Lane r = r2 * inverse_root(r2);
+    const Lane r = pair.r = r2 * inverse_root(r2);
     pair.FV = kernel_.F(r) * slots.volume[slot];
     for (int a = 0; a < D; ++a) {
       const Lane Fx = pair.FV * pair.x[a];
@@ -113,7 +113,10 @@ class DensitySweep {
     const Lane density = next_density(block, sums, gradient.trace());
     Lane second = sums.second[0][0], dv[D], acceleration[D];
     for (int a = 1; a < D; ++a) second += sums.second[a][a];
-    const Lane scaling = D / larger(second, same(0.5 * D));
+    Lane scaling = D / larger(second, same(0.5 * D));
+    // Volumes by summed densities do not fill the space that particles have: without this fluctuating fluids are too
+    // thin.
+    if constexpr (Density::summed) scaling *= density / state_.scales.density;
     if constexpr (present<Transport>) transport_.shift(sums.transport, next_dt_, dv);
     for (int a = 0; a < D; ++a) {
       acceleration[a] = Lane{};

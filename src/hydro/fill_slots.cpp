@@ -7,7 +7,7 @@ template <int D>
 void Fluid<D>::fill_slots() {
   auto& slots = state_.slots;
   const std::size_t size = state_.rows.blocks.slots();
-  const bool diffuses = is_present(effects_.density_diffusion);
+  const bool diffuses = effects_.density_diffusion.index() > 0;
   for (auto& axis : slots.velocity) axis.resize(size);
   slots.volume.resize(size);
   if (diffuses) slots.density.resize(size);

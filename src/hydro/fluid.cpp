@@ -18,6 +18,11 @@ namespace {
 
 constexpr double most_movement = 0.25;  // [spacings] of any particle in one step
 
+template <int D>
+bool is_summed(const Effects<D>& effects) {
+  return std::holds_alternative<DensityBySummation>(effects.density);
+}
+
 }  // namespace
 
 template <int D>
@@ -27,7 +32,8 @@ Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
       mirrors_(filling.mirrors),
       state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, state_.scales.reach)),
-      walls_(scene) {}
+      walls_(scene),
+      guard_(scene) {}
 
 template <int D>
 Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D> filling, const base::RandomKey& key)
@@ -58,6 +64,7 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
   walls_.prepare(state_, scene);
   solids_.prepare(state_, scene);
   if (open_) open_->prepare(state_);
+  room_.prepare(state_, scene, is_summed(effects_), solids_.solids().volume());
   find_step();
   restart();
 }
@@ -135,6 +142,7 @@ void Fluid<D>::step(double dt) {
   walls_.carry(state_, time_, dt);
   solids_.advance(state_, time_, dt);
   time_ += dt;
+  if (effects_.bounce_back) bounces_ += guard_.apply(state_, walls_.motion(), time_, dt);
   ++steps_;
   if (!state_.rows.follow(state_.particles)) rebuild();
   evaluate(dt);
@@ -176,8 +184,12 @@ void Fluid<D>::evaluate(double dt) {
   walls_.extrapolate_velocity(state_, kernel_, time_);
   if (open_) open_->set_velocity(state_, kernel_, time_, dt);
   fill_slots();
+  if (effects_.shepard_filter && dt > 0.0 && effects_.shepard_filter->due(steps_)) {
+    effects_.shepard_filter->apply(state_, kernel_);
+    fill_slots();
+  }
   sweep_density(state_, kernel_, effects_, dt, next);
-  solids_.close_volume(state_);
+  room_.close(state_, solids_.solids().volume());
   walls_.extrapolate_pressure(state_, time_);
   if (open_) open_->set_pressure(state_, kernel_);
   fill_stress();

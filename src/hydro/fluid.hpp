@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "hydro/closed_room.hpp"
 #include "hydro/effects/list.hpp"
 #include "hydro/open/open_sides.hpp"
 #include "hydro/scales.hpp"
 #include "hydro/solid/immersion.hpp"
 #include "hydro/state.hpp"
+#include "hydro/wall_guard.hpp"
 #include "hydro/wall_load.hpp"
 #include "hydro/walls.hpp"
 #include "scene/scene.hpp"
@@ -105,6 +107,8 @@ class Fluid {
   State<D> state_;
   sph::AnyKernel<D> kernel_;
   Walls<D> walls_;
+  WallGuard<D> guard_;
+  ClosedRoom<D> room_;
   double time_ = 0, dt_ = 0, last_dt_ = 0, interval_ = 0, fastest_ = 0;
   std::uint64_t steps_ = 0, evaluations_ = 0, bounces_ = 0, draws_ = 0;
 };

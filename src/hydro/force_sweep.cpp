@@ -9,10 +9,12 @@ template <int D, class Kernel, class Pressure, class Friction, class Noise>
 class ForceSweep {
  public:
   static constexpr bool scaled = present<Friction> || present<Noise>;
+  static constexpr bool sees_velocity = present<Friction> || Pressure::sees_velocity;
   using Ids = base::LaneRandom::Words;
 
-  ForceSweep(State<D>& state, const Kernel& kernel, const Friction& friction, const Noise& noise, std::uint64_t step)
-      : state_(state), kernel_(kernel), friction_(friction), noise_(noise) {
+  ForceSweep(State<D>& state, const Kernel& kernel, const Pressure& pressure, const Friction& friction,
+             const Noise& noise, std::uint64_t step)
+      : state_(state), kernel_(kernel), pressure_(pressure), friction_(friction), noise_(noise) {
     if constexpr (present<Noise>) random_ = noise.at(step);
   }
 
@@ -26,7 +28,7 @@ class ForceSweep {
       const auto slot = std::size_t(near[k]);
       ForcePair<D> pair;
       load_pair(own, slot, pair);
-      Lane radial = Pressure::coefficient(pair), relative{};
+      Lane radial = pressure_.coefficient(pair), relative{};
       if constexpr (Pressure::corrected) {
         for (int a = 0; a < D; ++a) sums.pressure[a] = fma(radial, pair.x[a], sums.pressure[a]);
         radial = Lane{};
@@ -74,7 +76,7 @@ class ForceSweep {
     for (int a = 0; a < D; ++a) {
       pair.x[a] = own.x[a] - coordinate(a)[slot];
       pair.r2 = fma(pair.x[a], pair.x[a], pair.r2);
-      if constexpr (present<Friction>) pair.v[a] = own.v[a] - slots.velocity[std::size_t(a)][slot];
+      if constexpr (sees_velocity) pair.v[a] = own.v[a] - slots.velocity[std::size_t(a)][slot];
     }
     pair.inverse_r = inverse_root(pair.r2);
     pair.F = kernel_.F(Lane(pair.r2 * pair.inverse_r));
@@ -113,6 +115,7 @@ class ForceSweep {
 
   State<D>& state_;
   const Kernel& kernel_;
+  const Pressure& pressure_;
   Friction friction_;
   const Noise& noise_;
   std::optional<base::LaneRandom> random_;
@@ -130,14 +133,15 @@ std::uint64_t sweep_forces(State<D>& state, const sph::AnyKernel<D>& any_kernel,
     for (std::size_t b = 0; b < blocks; ++b) draws += sweep.block(b);
   };
   std::visit(
-      [&]<class Kernel, class Pressure, class Friction, class Noise>(const Kernel& kernel, const Pressure&,
+      [&]<class Kernel, class Pressure, class Friction, class Noise>(const Kernel& kernel, const Pressure& pressure,
                                                                      const Friction& friction, const Noise& noise) {
         if constexpr (present<Friction> && !present<Noise>) {
           using Across = ViscosityAcross<D>;
           if (friction.beta == 0.0)
-            return run(ForceSweep<D, Kernel, Pressure, Across, Noise>(state, kernel, {friction.alpha}, noise, step));
+            return run(
+                ForceSweep<D, Kernel, Pressure, Across, Noise>(state, kernel, pressure, {friction.alpha}, noise, step));
         }
-        run(ForceSweep<D, Kernel, Pressure, Friction, Noise>(state, kernel, friction, noise, step));
+        run(ForceSweep<D, Kernel, Pressure, Friction, Noise>(state, kernel, pressure, friction, noise, step));
       },
       any_kernel, effects.pressure, effects.viscosity, effects.thermal_noise);
   return draws;

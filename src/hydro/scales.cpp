@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "hydro/compressibility.hpp"
 #include "hydro/effects/buoyancy.hpp"
 #include "hydro/extents.hpp"
 #include "hydro/open/opening.hpp"
@@ -142,6 +143,17 @@ void sum_lattice(const scene::Scene& scene, Scales<D>& scales) {
   scales.lattice_sum = W;
 }
 
+// Densities are summed where there is noise.
+template <int D>
+void stiffen(const scene::Scene& scene, Scales<D>& scales, std::vector<Derived>& derived) {
+  if (!(scales.thermal_energy > 0.0)) return;
+  const auto kernel = sph::make_kernel<D>(scene.numerics.kernel, scales.reach);
+  const double self = std::visit([](const auto& each) { return each.W(0.0); }, kernel) / scales.lattice_sum;
+  scales.stiffness = stiffness(self, scales.thermal_energy / (scales.mass * scales.sound_speed * scales.sound_speed));
+  derived.push_back({"stiffness of the state equation", scales.stiffness, "1",
+                     "so that density fluctuates by the sound speed, although particles count themselves"});
+}
+
 template <int D>
 void refuse_small_box(const scene::Scene& scene, const Scales<D>& scales) {
   for (int a = 0; a < D; ++a) {
@@ -200,6 +212,7 @@ Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& fillin
        scene.flow.reference_length ? "flow.reference_length" : "smallest extent between walls, or of the domain"});
   derive_sound<D>(scene, scales, derived);
   sum_lattice<D>(scene, scales);
+  stiffen(scene, scales, derived);
   if (scene::has_solids(scene) && scales.viscosity > 0.0) {
     derived.push_back({"bulk viscosity", scales.bulk_viscosity, "Pa s",
                        "so that friction acts along the line of centres, for the torque on elastic solids"});
@@ -211,7 +224,8 @@ Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& fillin
 
 template <int D>
 void list_base_limits(const Scales<D>& scales, std::vector<StepLimit>& limits) {
-  limits.push_back({"acoustic", scales.courant * scales.smoothing / (scales.sound_speed + scales.speed),
+  const double sound = std::sqrt(scales.stiffness) * scales.sound_speed;
+  limits.push_back({"acoustic", scales.courant * scales.smoothing / (sound + scales.speed),
                     fmt::format("{:g} hs/(c0 + U)", scales.courant)});
 }
 

@@ -40,6 +40,7 @@ struct Scales {
   double length = 0;          // [m] L
   double sound_speed = 0;     // [m/s] c0
   double background = 0;      // [Pa]
+  double stiffness = 1;       // c^2/c0^2 of the state equation, see compressibility.hpp
   double thermal_energy = 0;  // [J/m^(3-D)] kT per depth; 0 without thermal noise
   double courant = 0.25;
   base::Vec<D> body_force = base::Vec<D>::Zero();  // [m/s^2]
@@ -51,7 +52,10 @@ struct Scales {
 
   double kinematic_viscosity() const { return viscosity / density; }  // [m^2/s] nu
   double pressure(double rho) const {                                 // [Pa] state equation
-    return sound_speed * sound_speed * (rho - density) + background;
+    return stiffness * sound_speed * sound_speed * (rho - density) + background;
+  }
+  double density_at(double pressure) const {  // [kg/m^3]
+    return density + (pressure - background) / (stiffness * sound_speed * sound_speed);
   }
 };
 

@@ -32,8 +32,10 @@ typename WallMotion<D>::Rigid WallMotion<D>::rigid(const scene::RigidMotion& mot
   for (int a = 0; a < D; ++a) {
     rigid.velocity[a] = motion.velocity[std::size_t(a)];
     rigid.center[a] = motion.center[std::size_t(a)];
+    rigid.strain[a] = motion.strain_rate[std::size_t(a)];
   }
   for (int a = 0; a < 3; ++a) rigid.spin[a] = motion.angular_velocity[std::size_t(a)];
+  rigid.until = motion.until;
   return rigid;
 }
 
@@ -47,7 +49,9 @@ base::Vec<D> WallMotion<D>::Rigid::spin_cross(const Vec& r) const {
 
 template <int D>
 base::Vec<D> WallMotion<D>::Rigid::at(const Vec& x, double t) const {
-  return velocity + spin_cross(x - center - t * velocity);
+  if (t >= until) return Vec::Zero();
+  const Vec r = x - center - t * velocity;
+  return velocity + spin_cross(r) + strain.cwiseProduct(r);
 }
 
 template <int D>
@@ -59,7 +63,9 @@ base::Vec<D> WallMotion<D>::surface_velocity(std::size_t material, const Vec& x,
 template <int D>
 base::Vec<D> WallMotion<D>::acceleration(std::size_t material, const Vec& x, double t) const {
   const Rigid& motion = entries_[material].motion;
-  return motion.spin_cross(motion.spin_cross(x - motion.center - t * motion.velocity));
+  if (t >= motion.until) return Vec::Zero();
+  const Vec r = x - motion.center - t * motion.velocity;
+  return motion.spin_cross(motion.spin_cross(r)) + motion.strain.cwiseAbs2().cwiseProduct(r);
 }
 
 template <int D>
@@ -73,15 +79,25 @@ base::Vec<D> WallMotion<D>::Rigid::turned(const Vec& r, double dt) const {
 }
 
 template <int D>
+base::Vec<D> WallMotion<D>::Rigid::carried(const Vec& r, double dt) const {
+  if (strain == Vec::Zero()) return turned(r, dt);
+  return (dt * strain).array().exp().matrix().cwiseProduct(r);
+}
+
+template <int D>
 base::Vec<D> WallMotion<D>::turn(std::size_t material, const Vec& direction, double dt) const {
-  return entries_[material].motion.turned(direction, dt);
+  const Rigid& motion = entries_[material].motion;
+  if (!strains(material) || direction == Vec::Zero()) return motion.turned(direction, dt);
+  return motion.carried(direction, -dt).normalized();
 }
 
 template <int D>
 base::Vec<D> WallMotion<D>::carry(std::size_t material, const Vec& x, double t, double dt) const {
   const Rigid& motion = entries_[material].motion;
+  const double lasts = moving(material, t, dt);
   const Vec from_center = x - motion.center - t * motion.velocity;
-  return x + dt * motion.velocity + (motion.turned(from_center, dt) - from_center);
+  if (lasts == 0.0) return x;
+  return x + lasts * motion.velocity + (motion.carried(from_center, lasts) - from_center);
 }
 
 template class WallMotion<2>;

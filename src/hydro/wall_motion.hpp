@@ -1,6 +1,8 @@
 #pragma once
-// How solid materials move: rigid motions that carry particles along, and surfaces that slide while their particles
-// stay. The centre of a rotation travels with the motion's velocity.
+// How solid materials move: motions, rigid or straining along the axes, that carry particles along, and surfaces that
+// slide while their particles stay. The centre of a rotation or strain travels with the motion's velocity.
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -28,19 +30,34 @@ class WallMotion {
   }
   // Whether a surface of this material has a velocity at all.
   bool slides(std::size_t material) const { return entries_[material].slides; }
-  // A direction that belongs to the material, after dt.
+  bool strains(std::size_t material) const { return entries_[material].motion.strain != Vec::Zero(); }
+  // How much of dt from time t on the motion of this material lasts.
+  double moving(std::size_t material, double t, double dt) const {
+    return std::clamp(entries_[material].motion.until - t, 0.0, dt);
+  }
+  // A normal of the material, after it has moved for dt.
   Vec turn(std::size_t material, const Vec& direction, double dt) const;
+  // What the motion of this material turns round, at time t.
+  Vec center(std::size_t material, double t) const {
+    return entries_[material].motion.center + moving(material, 0.0, t) * entries_[material].motion.velocity;
+  }
+  // Where at time 0 the point of the material was that at time t stands `offset` from the center.
+  Vec home(std::size_t material, const Vec& offset, double t) const {
+    return entries_[material].motion.center + entries_[material].motion.carried(offset, -moving(material, 0.0, t));
+  }
   // Where a particle at x and time t is carried in dt.
   Vec carry(std::size_t material, const Vec& x, double t, double dt) const;
 
  private:
   struct Rigid {
-    Vec velocity = Vec::Zero(), center = Vec::Zero();
+    Vec velocity = Vec::Zero(), center = Vec::Zero(), strain = Vec::Zero();
+    double until = std::numeric_limits<double>::infinity();
     base::Vec<3> spin = base::Vec<3>::Zero();
     Vec at(const Vec& x, double t) const;  // velocity
     Vec spin_cross(const Vec& r) const;
     Vec turned(const Vec& r, double dt) const;
-    bool any() const { return velocity != Vec::Zero() || spin != base::Vec<3>::Zero(); }
+    Vec carried(const Vec& r, double dt) const;  // from the center
+    bool any() const { return velocity != Vec::Zero() || spin != base::Vec<3>::Zero() || strain != Vec::Zero(); }
   };
   struct Entry {
     bool moves = false, slides = false;

@@ -42,7 +42,7 @@ void Walls<D>::carry(State<D>& state, double t, double dt) {
     particles.position[i] = motion_.carry(material, particles.position[i], t, dt);
     (*state.wall_velocity)[i] = motion_.surface_velocity(material, particles.position[i], t + dt);
     particles.position[i] = state.box.wrap(particles.position[i]);
-    if (fit_) fit_->turn(motion_, material, i, dt);
+    if (fit_) fit_->turn(motion_, material, i, motion_.moving(material, t, dt));
   }
 }
 
@@ -74,7 +74,7 @@ void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& an
           const std::size_t i = solid[n];
           if (state.particles.role[i] == sph::Role::open) continue;
           Vec v = mirrored(state, kernel, i);
-          if (fit_) fit_->velocity(state, motion_, kernel, t, n, v);
+          if (fit_ && !motion_.strains(state.particles.material[i])) fit_->velocity(state, motion_, kernel, t, n, v);
           state.velocity[i] = v;
         }
       },
@@ -85,7 +85,6 @@ template <int D>
 void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
   const auto& solid = state.rows.solid();
   const auto& scales = state.scales;
-  const double c2 = scales.sound_speed * scales.sound_speed;
 #pragma omp parallel for schedule(static) if (worth_threads(4 * solid.size()))
   for (std::size_t n = 0; n < solid.size(); ++n) {
     const std::size_t i = solid[n];
@@ -110,7 +109,7 @@ void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
       pressure = (p_sum + f.dot(lever)) / sum;
     }
     state.pressure[i] = pressure;
-    state.density[i] = scales.density + (pressure - scales.background) / c2;
+    state.density[i] = scales.density_at(pressure);
     state.volume[i] = scales.mass / state.density[i];
   }
 }

@@ -31,6 +31,7 @@ constexpr std::array types{
     TypeRules{.name = "temperature", .type = ObservableType::temperature, .flow = true},
     TypeRules{.name = "density_error", .type = ObservableType::density_error, .flow = true},
     TypeRules{.name = "min_distance", .type = ObservableType::min_distance, .flow = true},
+    TypeRules{.name = "bounces", .type = ObservableType::bounces, .flow = true},
     TypeRules{.name = "velocity_profile",
               .type = ObservableType::velocity_profile,
               .flow = true,

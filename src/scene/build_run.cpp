@@ -90,9 +90,16 @@ void build_numerics(const Section& root, Scene& scene) {
                                                                {"wendland_c2", Kernel::wendland_c2}}},
                 numerics.kernel);
     read_choice(*section, "pressure",
-                std::array<std::pair<const char*, PressureForm>, 2>{
-                    {{"symmetric", PressureForm::symmetric}, {"difference", PressureForm::difference}}},
+                std::array<std::pair<const char*, PressureForm>, 4>{{{"auto", PressureForm::automatic},
+                                                                     {"symmetric", PressureForm::symmetric},
+                                                                     {"difference", PressureForm::difference},
+                                                                     {"riemann", PressureForm::riemann}}},
                 numerics.pressure);
+    read_choice(*section, "density",
+                std::array<std::pair<const char*, DensityForm>, 3>{{{"auto", DensityForm::automatic},
+                                                                    {"continuity", DensityForm::continuity},
+                                                                    {"summation", DensityForm::summation}}},
+                numerics.density);
     read_choice(*section, "viscous_step",
                 std::array<std::pair<const char*, ViscousStep>, 3>{{{"auto", ViscousStep::automatic},
                                                                     {"explicit", ViscousStep::explicit_step},
@@ -120,6 +127,7 @@ void build_numerics(const Section& root, Scene& scene) {
                 std::array<std::pair<const char*, Limits>, 2>{{{"refuse", Limits::refuse}, {"warn", Limits::warn}}},
                 numerics.limits);
     numerics.reach = section->number("reach").value_or(numerics.reach);
+    numerics.shepard_every = static_cast<int>(section->integer("shepard_every").value_or(0));
     numerics.courant = section->number("courant").value_or(numerics.courant);
     numerics.splitting_step = section->quantity("splitting_step");
     numerics.tolerance = section->number("tolerance").value_or(numerics.tolerance);

@@ -49,6 +49,25 @@ std::optional<RigidMotion> motion_of(const Section& section, const std::string& 
   return motion;
 }
 
+// What makes the motion of a wall more than rigid, and its end.
+void read_strain(const Section& section, int dimension, std::optional<RigidMotion>& motion) {
+  if (section.has("strain_rate")) {
+    const auto rates = section.quantities("strain_rate");
+    if (int(rates.size()) != dimension)
+      return section.error("strain_rate", fmt::format("needs one rate for each of the {} axes", dimension));
+    if (section.has("angular_velocity"))
+      return section.error("strain_rate", "a wall that turns cannot be strained; remove one of them");
+    if (!section.has("center"))
+      return section.error("strain_rate", "needs 'center', the point that it moves away from");
+    if (!motion) motion = RigidMotion{};
+    motion->center = section.point("center").value_or(Point{});
+    std::copy(rates.begin(), rates.end(), motion->strain_rate.begin());
+  }
+  if (!section.has("moves_until")) return;
+  if (!motion) return section.error("moves_until", "this wall does not move; give a velocity, or remove it");
+  motion->until = section.quantity("moves_until").value_or(motion->until);
+}
+
 void refuse_keys(const Section& section, std::initializer_list<const char*> keys, const std::string& why) {
   for (const char* key : keys)
     if (section.has(key)) section.error(key, why);
@@ -71,11 +90,13 @@ Material material_of(const std::string& name, const Section& section, int dimens
   if (type && type != "wall" && type != "solid")
     refuse_keys(section, {"velocity", "angular_velocity", "center"}, "only a wall or a solid has it; remove it");
   if (type && type != "wall")
-    refuse_keys(section, {"surface_velocity", "surface_angular_velocity"}, "only a wall has it; remove it");
+    refuse_keys(section, {"surface_velocity", "surface_angular_velocity", "strain_rate", "moves_until"},
+                "only a wall has it; remove it");
   material.density = section.quantity("density").value_or(0);
   material.viscosity = section.quantity("viscosity").value_or(0);
   material.bulk_viscosity = section.quantity("bulk_viscosity").value_or(0);
   if (type == "wall" || type == "solid") material.motion = motion_of(section, "", dimension);
+  if (type == "wall") read_strain(section, dimension, material.motion);
   if (type == "wall") material.surface_motion = motion_of(section, "surface_", dimension);
   return material;
 }

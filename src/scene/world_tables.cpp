@@ -210,7 +210,13 @@ Table material_table() {
        {"surface_velocity", {velocity()}, false, "at rest", "of a wall whose surface slides while its particles stay"},
        {"surface_angular_velocity", turning, false, "at rest",
         "of a wall whose surface turns round `center` while its particles stay"},
-       {"center", {position()}, false, "", "what an angular velocity turns round"}}};
+       {"strain_rate",
+        {list({quantity(base::power(dimensions::time, -1), any)}, 1, 3)},
+        false,
+        "none",
+        "of a wall whose particles move away from `center`, one rate for each axis: a box that is drawn out"},
+       {"moves_until", {quantity(dimensions::time, positive)}, false, "for ever", "when such a motion ends"},
+       {"center", {position()}, false, "", "what an angular velocity turns round, or a strain rate moves away from"}}};
   for (Key& key : solid_keys()) table.keys.push_back(std::move(key));
   return table;
 }

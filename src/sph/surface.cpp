@@ -42,8 +42,26 @@ std::vector<base::Vec<D>> images_of(const base::Vec<D>& x, const base::Box<D>& b
 }  // namespace
 
 template <int D>
-Surface<D>::Surface(const scene::Scene& scene)
-    : scene_(scene), box_(domain_box<D>(scene.domain)), probe_(1e-6 * scene.domain.spacing) {
+double SurfacePoint<D>::harmonic(double distance) const {
+  if (curvature == 0.0 || D == 1) return distance;
+  const double part = curvature * distance;
+  if constexpr (D == 2)
+    return std::log1p(part) / curvature;
+  else
+    return distance / (1.0 + part);
+}
+
+template <int D>
+Surface<D>::Surface(const scene::Scene& scene) : Surface(scene, {}) {
+  for (const auto& material : scene.materials) flows_.push_back(material.type == scene::MaterialType::fluid);
+}
+
+template <int D>
+Surface<D>::Surface(const scene::Scene& scene, std::vector<bool> materials)
+    : scene_(scene),
+      box_(domain_box<D>(scene.domain)),
+      flows_(std::move(materials)),
+      probe_(1e-6 * scene.domain.spacing) {
   list_sides();
 }
 
@@ -57,24 +75,28 @@ void Surface<D>::list_sides() {
 }
 
 template <int D>
-bool Surface<D>::fluid_at(const Vec& place) const {
+int Surface<D>::material_at(const Vec& place) const {
   const Vec x = box_.wrap(place);
   for (int a = 0; a < D; ++a) {
-    if (x[a] < box_.lower[a] || x[a] > box_.upper[a]) return false;
+    if (x[a] < box_.lower[a] || x[a] > box_.upper[a]) return -1;
   }
   const scene::Point point = point_of<D>(x);
-  int material = scene_.domain.material;
   for (std::size_t r = scene_.regions.size(); r-- > 0;) {
-    if (!scene::contains(*scene_.regions[r].shape, point, D)) continue;
-    material = scene_.regions[r].material;
-    break;
+    if (scene::contains(*scene_.regions[r].shape, point, D)) return scene_.regions[r].material;
   }
-  return material >= 0 && scene_.materials[std::size_t(material)].type == scene::MaterialType::fluid;
+  return scene_.domain.material;
 }
 
-// Turns the normal towards the fluid; false where the point does not part x's solid from fluid.
 template <int D>
-bool Surface<D>::adjust(const Vec& x, SurfacePoint<D>& point) const {
+bool Surface<D>::fluid_at(const Vec& place) const {
+  const int material = material_at(place);
+  return material >= 0 && flows_[std::size_t(material)];
+}
+
+// Turns the normal towards the fluid; false where the point does not part x's solid from fluid, or x's fluid from
+// solid.
+template <int D>
+bool Surface<D>::adjust(const Vec& x, bool from_fluid, SurfacePoint<D>& point) const {
   const bool ahead = fluid_at(point.place + probe_ * point.normal);
   const bool behind = fluid_at(point.place - probe_ * point.normal);
   if (ahead == behind) return false;
@@ -83,13 +105,13 @@ bool Surface<D>::adjust(const Vec& x, SurfacePoint<D>& point) const {
     point.curvature = -point.curvature;
   }
   for (const double part : {0.25, 0.5, 0.75, 0.95}) {
-    if (fluid_at(x + part * (point.place - x))) return false;
+    if (fluid_at(x + part * (point.place - x)) != from_fluid) return false;
   }
   return true;
 }
 
 template <int D>
-std::optional<SurfacePoint<D>> Surface<D>::nearest(const Vec& x, double within) const {
+std::optional<SurfacePoint<D>> Surface<D>::nearest(const Vec& x, double within, bool from_fluid) const {
   std::optional<SurfacePoint<D>> best;
   double least = within * within;
   for (const Vec& image : images_of<D>(x, box_, within)) {
@@ -97,7 +119,7 @@ std::optional<SurfacePoint<D>> Surface<D>::nearest(const Vec& x, double within) 
       const double distance2 = (found.place - image).squaredNorm();
       if (!(distance2 < least)) return;
       SurfacePoint<D> point = found;
-      if (!adjust(image, point)) return;
+      if (!adjust(image, from_fluid, point)) return;
       least = distance2;
       point.place += x - image;
       best = point;
@@ -127,6 +149,10 @@ bool Surface<D>::smooth_about(const SurfacePoint<D>& point, double within) const
   return true;
 }
 
+template struct SurfacePoint<1>;
+template struct SurfacePoint<2>;
+template struct SurfacePoint<3>;
+template class Surface<1>;
 template class Surface<2>;
 template class Surface<3>;
 

@@ -1,7 +1,7 @@
 #pragma once
-// Where fluid ends: the surface that the regions and the sides of a scene leave between fluid and all else. Every
-// smooth piece of it is plane or spherical, so a point of it knows by its normal and its curvature the distances all
-// around.
+// Where fluid, or a set of materials, ends: the surface that the regions and the sides of a scene leave between it and
+// all else. Every smooth piece of it is plane or spherical, so a point of it knows by its normal and its curvature the
+// distances all around.
 #include <optional>
 #include <vector>
 
@@ -24,6 +24,9 @@ struct SurfacePoint {
     return (2.0 * from.dot(normal) + curvature * from.squaredNorm()) / (1.0 + turned.norm());
   }
   Vec normal_at(const Vec& from) const { return (normal + curvature * from).normalized(); }
+  // At such a distance, the solution of Laplace's equation that is 0 on the piece and rises there by 1 per length: the
+  // distance itself at a plane, r ln(1 + d/r) at a cylinder, d/(1 + d/r) at a ball.
+  double harmonic(double distance) const;
 };
 
 template <int D>
@@ -31,28 +34,40 @@ class Surface {
  public:
   using Vec = base::Vec<D>;
 
-  explicit Surface(const scene::Scene& scene);
+  explicit Surface(const scene::Scene& scene);  // of the fluid
+  Surface(const scene::Scene& scene, std::vector<bool> materials);
 
   // The point of the surface nearest to a place in the solid, none where it is further than `within` [m] away or is an
   // edge or corner, which has no normal.
-  std::optional<SurfacePoint<D>> nearest(const Vec& x, double within) const;
+  std::optional<SurfacePoint<D>> nearest(const Vec& x, double within) const { return nearest(x, within, false); }
+  // The same for a place in the fluid.
+  std::optional<SurfacePoint<D>> nearest_from_fluid(const Vec& x, double within) const {
+    return nearest(x, within, true);
+  }
 
   // Whether the surface goes on about a point of it, all the way to `within` [m], as the plane or sphere that it is
   // there; corners of a tenth of a spacing are let pass.
   bool smooth_about(const SurfacePoint<D>& point, double within) const;
 
   bool fluid_at(const Vec& x) const;
+  int material_at(const Vec& x) const;  // -1: nothing, or beyond a side
 
  private:
   void list_sides();
-  bool adjust(const Vec& x, SurfacePoint<D>& point) const;
+  std::optional<SurfacePoint<D>> nearest(const Vec& x, double within, bool from_fluid) const;
+  bool adjust(const Vec& x, bool from_fluid, SurfacePoint<D>& point) const;
 
   const scene::Scene& scene_;
   base::Box<D> box_;
+  std::vector<bool> flows_;             // by material
   double probe_;                        // [m] how far off the surface it is asked what is there
   std::vector<SurfacePoint<D>> sides_;  // planes beyond which the domain ends
 };
 
+extern template struct SurfacePoint<1>;
+extern template struct SurfacePoint<2>;
+extern template struct SurfacePoint<3>;
+extern template class Surface<1>;
 extern template class Surface<2>;
 extern template class Surface<3>;
 

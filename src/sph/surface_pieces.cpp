@@ -82,6 +82,7 @@ void each_foot(const scene::Shape& shape, const Vec<D>& x, const std::function<v
   std::visit(EachFoot<D>{x, offer}, shape.form);
 }
 
+template void each_foot<1>(const scene::Shape&, const Vec<1>&, const std::function<void(const SurfacePoint<1>&)>&);
 template void each_foot<2>(const scene::Shape&, const Vec<2>&, const std::function<void(const SurfacePoint<2>&)>&);
 template void each_foot<3>(const scene::Shape&, const Vec<3>&, const std::function<void(const SurfacePoint<3>&)>&);
 

@@ -20,17 +20,18 @@ inline void expect_laws(const std::string& name) {
 }
 
 // Those that take longer than a few seconds run by name.
-inline bool slow(const std::string& name) {
-  for (const char* one :
-       {"vortices", "sudden-lid", "strong-noise", "runaway-force", "spinning-bar", "swinging-stream"})
-    if (name == one) return true;
+inline bool slow(const run::verify::Case& one) {
+  if (one.by_name_only) return true;
+  for (const char* name :
+       {"vortices", "sudden-lid", "strong-noise", "runaway-force", "spinning-bar", "shots-at-walls", "swinging-stream"})
+    if (one.name == name) return true;
   return false;
 }
 
 inline std::vector<std::string> names_of_cases(bool slow_ones) {
   std::vector<std::string> names;
   for (const auto& one : run::verify::stability_cases())
-    if (slow(one.name) == slow_ones) names.push_back(one.name);
+    if (slow(one) == slow_ones) names.push_back(one.name);
   return names;
 }
 

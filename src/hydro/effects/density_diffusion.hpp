@@ -17,11 +17,9 @@ struct DensityDiffusion {
   double coefficient = 0;  // [m^2/s] 2 delta hs c0, weakened where viscous
 
   template <int D>
-  static Slot<DensityDiffusion> choose(const scene::Scene& scene, const Scales<D>& scales) {
-    // With thermal noise density is a sum over kernels, which cannot diffuse.
-    if (!scene.effects.density_diffusion || scene.effects.thermal_noise) return Absent{};
+  static DensityDiffusion derive(const Scales<D>& scales) {
     const double sound = scales.sound_speed * scales.smoothing, nu = scales.kinematic_viscosity();  // [m^2/s]
-    return DensityDiffusion{2.0 * delta * sound * (sound < 4.0 * nu ? sound / (4.0 * nu) : 1.0)};
+    return {2.0 * delta * sound * (sound < 4.0 * nu ? sound / (4.0 * nu) : 1.0)};
   }
 
   template <int D>
@@ -31,5 +29,23 @@ struct DensityDiffusion {
 
   Lane rate(const Lane (&sum)[sums]) const { return coefficient * sum[0]; }  // [kg/(m^3 s)]
 };
+
+// What the speeds U* of the Riemann problems between pairs add to continuity: c0 sum_j V_j F_ij r_ij (rho_j - rho_i),
+// see RiemannPressure (the first of its Eqs. 16; that one has rho_i/rho0 as a factor, which is less stable in shocks).
+struct RiemannDiffusion {
+  static constexpr const char* name = "density diffusion";
+  static constexpr int sums = 1;
+
+  double sound_speed = 0;  // [m/s] c0
+
+  template <int D>
+  static void add(const DensityPair<D>& pair, Lane (&sum)[sums]) {
+    sum[0] = fma(pair.FV * pair.r, pair.density, sum[0]);
+  }
+
+  Lane rate(const Lane (&sum)[sums]) const { return sound_speed * sum[0]; }  // [kg/(m^3 s)]
+};
+
+using DiffusionSlot = std::variant<Absent, DensityDiffusion, RiemannDiffusion>;
 
 }  // namespace shmoo::hydro

@@ -1,17 +1,59 @@
 #include "hydro/effects/list.hpp"
 
+#include "base/error.hpp"
 #include "hydro/effects/body_force.hpp"
 #include "hydro/effects/buoyancy.hpp"
 #include "hydro/effects/sponge.hpp"
 
 namespace shmoo::hydro {
 
+namespace {
+
+bool sums_density(const scene::Scene& scene) {
+  const auto form = scene.numerics.density;
+  return form == scene::DensityForm::automatic ? scene.effects.thermal_noise : form == scene::DensityForm::summation;
+}
+
+void refuse_forms(const scene::Scene& scene, scene::PressureForm pressure) {
+  if (scene.effects.thermal_noise && !sums_density(scene)) {
+    throw base::InputError(
+        "numerics.density = \"continuity\" lets thermal noise make density wander off; remove it or turn "
+        "effects.thermal_noise off");
+  }
+  if (scene.effects.thermal_noise && pressure == scene::PressureForm::riemann) {
+    throw base::InputError(
+        "numerics.pressure = \"riemann\" dissipates what thermal noise does not give back; remove it or turn "
+        "effects.thermal_noise off");
+  }
+  if (scene.numerics.shepard_every > 0 && sums_density(scene)) {
+    throw base::InputError(
+        "numerics.shepard_every renormalises densities by continuity, and here they are summed over particles; remove "
+        "it");
+  }
+}
+
+// Sums over kernels cannot diffuse.
+template <int D>
+DiffusionSlot choose_diffusion(const scene::Scene& scene, const Scales<D>& scales, scene::PressureForm pressure) {
+  if (!scene.effects.density_diffusion || sums_density(scene)) return Absent{};
+  if (pressure == scene::PressureForm::riemann) return RiemannDiffusion{scales.sound_speed};
+  return DensityDiffusion::derive(scales);
+}
+
+}  // namespace
+
 template <int D>
 Effects<D> Effects<D>::choose(const scene::Scene& scene, const Scales<D>& scales, const base::RandomKey& key) {
   Effects effects;
-  if (scene.numerics.pressure == scene::PressureForm::difference) effects.pressure = DifferencePressure{};
-  if (scene.effects.thermal_noise) effects.density = DensityBySummation{scales.density / scales.lattice_sum};
-  effects.density_diffusion = DensityDiffusion::choose(scene, scales);
+  const auto pressure = pressure_form(scene, scales);
+  refuse_forms(scene, pressure);
+  if (pressure == scene::PressureForm::difference) effects.pressure = DifferencePressure{};
+  if (pressure == scene::PressureForm::riemann)
+    effects.pressure = RiemannPressure{scales.sound_speed, scales.density * scales.sound_speed};
+  if (sums_density(scene)) effects.density = DensityBySummation{scales.density / scales.lattice_sum};
+  effects.density_diffusion = choose_diffusion(scene, scales, pressure);
+  if (scene.numerics.shepard_every > 0)
+    effects.shepard_filter = ShepardFilter<D>{std::uint64_t(scene.numerics.shepard_every)};
   effects.transport_velocity = TransportVelocity<D>::choose(scene, scales);
   effects.viscosity = Viscosity<D>::choose(scene, scales);
   if (ImplicitFriction<D>::chosen(scene, scales)) {
@@ -39,6 +81,7 @@ std::vector<std::string> Effects<D>::names() const {
   add(pressure);
   add(density);
   add(density_diffusion);
+  if (shepard_filter) names.emplace_back(ShepardFilter<D>::name);
   add(transport_velocity);
   add(viscosity);
   if (implicit_friction) names.emplace_back(ImplicitFriction<D>::name);
@@ -65,6 +108,10 @@ bool Effects<D>::remove(std::string_view name) {
   take(viscosity);
   take(thermal_noise);
   if (removed && name == ThermalNoise<D>::name) density = DensityByContinuity{};  // as without noise
+  if (shepard_filter && name == ShepardFilter<D>::name) {
+    shepard_filter.reset();
+    removed = true;
+  }
   if (implicit_friction && name == ImplicitFriction<D>::name) {
     implicit_friction.reset();
     removed = true;

@@ -6,6 +6,7 @@
 #include "hydro/effects/density_diffusion.hpp"
 #include "hydro/effects/density_form.hpp"
 #include "hydro/effects/pressure.hpp"
+#include "hydro/effects/shepard_filter.hpp"
 #include "hydro/effects/thermal_noise.hpp"
 #include "hydro/effects/transport_velocity.hpp"
 #include "hydro/effects/viscosity.hpp"
@@ -15,9 +16,10 @@ namespace shmoo::hydro {
 
 template <int D>
 struct Effects {
-  std::variant<SymmetricPressure, DifferencePressure> pressure;
+  std::variant<SymmetricPressure, DifferencePressure, RiemannPressure> pressure;
   std::variant<DensityByContinuity, DensityBySummation> density;
-  Slot<DensityDiffusion> density_diffusion;
+  DiffusionSlot density_diffusion;
+  std::optional<ShepardFilter<D>> shepard_filter;
   Slot<TransportVelocity<D>> transport_velocity;
   Slot<Viscosity<D>> viscosity;                          // explicit, or
   std::optional<ImplicitFriction<D>> implicit_friction;  // in its place

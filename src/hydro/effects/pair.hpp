@@ -10,6 +10,7 @@ template <int D>
 struct DensityPair {
   Lane x[D];     // [m] x_i - x_j
   Lane v[D];     // [m/s] v_i - v_j
+  Lane r;        // [m]
   Lane FV;       // [1/m^2] F_ij V_j
   Lane density;  // [kg/m^3] rho_j - rho_i
 };

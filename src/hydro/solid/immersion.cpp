@@ -44,13 +44,6 @@ void Immersion<D>::prepare(State<D>& state, const scene::Scene& scene) {
   }
   state.wall_velocity = &state.particles.template require<Vec>("wall_velocity", "m/s");
   state.wall_acceleration = &state.particles.template require<Vec>("wall_acceleration", "m/s^2");
-  const bool pistons = std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
-    return material.type == scene::MaterialType::wall && material.motion;
-  });
-  const auto& role = state.particles.role.values();
-  const auto fluid = double(std::count(role.begin(), role.end(), sph::Role::fluid));
-  if (!pistons && !scene::has_open_sides(scene))
-    room_ = fluid * state.scales.mass / state.scales.density + solids_.volume();
   locate(state);
   show(state);
 }
@@ -134,19 +127,6 @@ void Immersion<D>::recoil(const State<D>& state, const sph::AnyKernel<D>& any_ke
     auto& body = solids_.bodies()[b];
     for (std::size_t k = 0; k < body.size(); ++k)
       if (!body.held[k]) body.velocity[k] += impulse[place_[b][k]] / body.mass();
-  }
-}
-
-template <int D>
-void Immersion<D>::close_volume(State<D>& state) const {
-  if (!(room_ > 0.0)) return;
-  double filled = 0.0;
-  for (const std::uint32_t i : state.rows.fluid()) filled += state.volume[i];
-  const double factor = filled / (room_ - solids_.volume());
-  for (const std::uint32_t i : state.rows.fluid()) {
-    state.density[i] *= factor;
-    state.volume[i] = state.scales.mass / state.density[i];
-    state.pressure[i] = state.scales.pressure(state.density[i]);
   }
 }
 

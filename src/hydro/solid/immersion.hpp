@@ -28,10 +28,6 @@ class Immersion {
   void advance(State<D>& state, double t, double dt);
   // After particles were sorted anew.
   void locate(const State<D>& state);
-  // In a closed box: scales densities so that the fluid fills what the solids leave. Continuity alone lets the mean
-  // density drift: pressure moves particles at a body's surface, the transport velocity moves them back, and only the
-  // first changes density.
-  void close_volume(State<D>& state) const;
   // The solids' accelerations now hold what the fluid gives them.
   void take_tractions(const State<D>& state);
   // What bouncing back changed of the fluid's velocities, solids lose. `before`: those of rows.near_wall().
@@ -45,7 +41,6 @@ class Immersion {
   Solids<D> solids_;
   std::vector<std::vector<std::uint32_t>> place_;  // of each body's particles in the store
   std::vector<std::vector<Vec>> acceleration_;     // [m/s^2] smoothed
-  double room_ = 0;                                // [m^D] of fluid and solids together; 0: the box is not closed
 };
 
 extern template class Immersion<2>;

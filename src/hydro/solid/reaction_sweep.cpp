@@ -7,8 +7,8 @@ namespace {
 template <int D, class Kernel, class Pressure, class Friction>
 class ReactionSweep {
  public:
-  ReactionSweep(State<D>& state, const Kernel& kernel, const Friction& friction)
-      : state_(state), kernel_(kernel), friction_(friction) {}
+  ReactionSweep(State<D>& state, const Kernel& kernel, const Pressure& pressure, const Friction& friction)
+      : state_(state), kernel_(kernel), pressure_(pressure), friction_(friction) {}
 
   void particle(std::size_t solid) {
     Lane sum[D] = {};
@@ -17,7 +17,7 @@ class ReactionSweep {
     for (std::uint32_t k = 0; k < count; k += lanes) {
       ForcePair<D> pair;
       gather(solid, fluid + k, std::min<std::uint32_t>(lanes, count - k), pair);
-      Lane radial = Pressure::coefficient(pair), relative{};
+      Lane radial = pressure_.coefficient(pair), relative{};
       if constexpr (present<Friction>) friction_.add(pair, radial, relative);
       for (int a = 0; a < D; ++a) {
         sum[a] = fma(radial, pair.x[a], sum[a]);
@@ -58,6 +58,7 @@ class ReactionSweep {
 
   State<D>& state_;
   const Kernel& kernel_;
+  const Pressure& pressure_;
   Friction friction_;
 };
 
@@ -70,9 +71,9 @@ void sweep_reactions(State<D>& state, const sph::AnyKernel<D>& any_kernel, const
     if (is_solid(i)) state.acceleration[i].setZero();
   const auto& near = state.rows.solid();
   std::visit(
-      [&]<class Kernel, class Pressure, class Friction>(const Kernel& kernel, const Pressure&,
+      [&]<class Kernel, class Pressure, class Friction>(const Kernel& kernel, const Pressure& pressure,
                                                         const Friction& friction) {
-        ReactionSweep<D, Kernel, Pressure, Friction> sweep(state, kernel, friction);
+        ReactionSweep<D, Kernel, Pressure, Friction> sweep(state, kernel, pressure, friction);
 #pragma omp parallel for schedule(static) if (worth_threads(4 * near.size()))
         for (std::size_t n = 0; n < near.size(); ++n)
           if (is_solid(near[n])) sweep.particle(near[n]);

@@ -40,8 +40,11 @@ std::vector<verify::Case> cases_of(const Wish& wish) {
 }
 
 std::vector<verify::Case> wanted(const Wish& wish) {
-  const auto all = cases_of(wish);
-  if (wish.cases.empty()) return all;
+  auto all = cases_of(wish);
+  if (wish.cases.empty()) {
+    if (!wish.list) std::erase_if(all, [](const auto& one) { return one.by_name_only; });
+    return all;
+  }
   std::vector<verify::Case> some;
   for (const auto& name : wish.cases) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });

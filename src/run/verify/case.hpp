@@ -46,6 +46,7 @@ struct Case {
   std::string name;
   std::string what;  // makes it hard
   std::function<std::vector<Finding>()> run;
+  bool by_name_only = false;  // takes long
 };
 
 // Hard cases, run to a long time and judged by laws instead of by not crashing.
@@ -60,7 +61,8 @@ std::vector<Case> hard_starts();      // where particles stand at the start
 std::vector<Case> hard_flows();       // forces, walls, noise
 std::vector<Case> hard_openings();    // particles that enter and leave
 std::vector<Case> hard_solids();      // elastic solids in a fluid
-std::vector<Case> hard_walls();       // fluid shot at walls
+std::vector<Case> hard_walls();       // shocks and tears
+std::vector<Case> hard_shots();       // fluid shot at walls
 std::vector<Case> hard_shells();      // elastic walls in equilibrium
 std::vector<Case> hard_chemistry();   // numbers of molecules and rates
 std::vector<Case> hard_rates();       // extremes of both

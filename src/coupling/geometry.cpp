@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "rdme/surface/contacts.hpp"
+#include "rdme/unlisted_jumps.hpp"
 #include "rdme/voronoi.hpp"
 #include "scene/surface.hpp"
 
@@ -55,7 +56,8 @@ Geometry<D>::Geometry(const scene::Scene& scene, const sph::Filling<D>& filling)
       vacant_(filling.vacant),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, scene.numerics.reach * filling.spacing.maxCoeff())),
       cell_(filling.cell),
-      moving_rows_(filling.box, reach(), 0.3 * filling.spacing.maxCoeff()) {
+      moving_rows_(filling.box, reach(), 0.3 * filling.spacing.maxCoeff()),
+      moving_clusters_(filling.box, reach(), 0.3 * filling.spacing.maxCoeff()) {
   // Places for what enters hold what the domain is filled with: a flow has one fluid.
   const auto fluid = std::find_if(scene.materials.begin(), scene.materials.end(),
                                   [](const auto& one) { return one.type == scene::MaterialType::fluid; });
@@ -177,34 +179,61 @@ void Geometry<D>::relax(rdme::JumpGraph& graph, const std::vector<double>& volum
 }
 
 template <int D>
-rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame) const {
+rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame, const std::vector<bool>& sampled) const {
   rdme::Voxels voxels;
   voxels.material = material_in(frame);
+  voxels.volume.reserve(frame.position.size());
+  voxels.position.reserve(frame.position.size());
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     voxels.volume.push_back(frame.capacity[i] * scene_.depth);
     auto& place = voxels.position.emplace_back();
     for (int a = 0; a < D; ++a) place[a] = frame.position[i][a];
   }
-  rdme::JumpGraph carrying;
-  if (!frame.drift.empty()) carrying = carrying_graph(frame);
   voxels.graph_of_species = habitat_of_species_;
-  const rdme::Places<D> places{frame.position, frame.capacity, {}, voxels.material, vacant_};
-  const auto near = habitats_.empty() ? nullptr : rows(frame);
-  std::vector<rdme::HabitatGraph> graphs;
-  for (const auto& habitat : habitats_) {
-    graphs.push_back(rdme::make_habitat_graph<D>(places, *near, box_, kernel_, scene_.depth, habitat, weights(frame)));
-    if (!frame.drift.empty()) attach_flow(carrying, graphs.back().graph);
-  }
-  for (std::size_t s = 0; s < scene_.species.size(); ++s) {
-    if (habitat_of_species_[s] >= 0) add_boundary_exchanges(s, graphs[std::size_t(habitat_of_species_[s])], voxels);
-    add_sponge_exchanges(s, voxels);
-  }
+  add_graphs(frame, sampled, voxels);
   std::stable_sort(voxels.exchanges.begin(), voxels.exchanges.end(), [](const auto& a, const auto& b) {
     return a.voxel != b.voxel ? a.voxel < b.voxel : a.species < b.species;
   });
-  for (auto& graph : graphs) voxels.graphs.push_back(std::move(graph.graph));
-  add_surfaces(places, voxels);
+  add_surfaces({frame.position, frame.capacity, {}, voxels.material, vacant_}, voxels);
   return voxels;
+}
+
+// Whether the jumps of a habitat are written down. They need not be where particles move on, no voxel is vacant, nothing
+// is carried, and molecules are all that jumps.
+template <int D>
+bool Geometry<D>::listed(std::size_t habitat, const Frame<D>& frame, const std::vector<bool>& sampled) const {
+  if (frame.steady || !frame.vacant.empty() || !frame.drift.empty() || !rdme::can_stay_unlisted(habitats_[habitat])) return true;
+  bool any = !scene_.inflows.empty();
+  for (std::size_t s = 0; s < habitat_of_species_.size(); ++s)
+    any = any || (habitat_of_species_[s] == int(habitat) && (s >= sampled.size() || !sampled[s]));
+  return any;
+}
+
+template <int D>
+void Geometry<D>::add_graphs(const Frame<D>& frame, const std::vector<bool>& sampled, rdme::Voxels& voxels) const {
+  rdme::JumpGraph carrying;
+  if (!frame.drift.empty()) carrying = carrying_graph(frame);
+  const rdme::Places<D> places{frame.position, frame.capacity, {}, voxels.material, vacant_};
+  std::shared_ptr<const sph::NeighbourRows<D>> near;
+  std::vector<std::vector<rdme::Contact>> contacts(habitats_.size());
+  voxels.graphs.resize(habitats_.size());
+  voxels.unlisted.resize(habitats_.size());
+  for (std::size_t h = 0; h < habitats_.size(); ++h) {
+    if (!listed(h, frame, sampled)) {
+      voxels.unlisted[h] =
+          rdme::make_unlisted_jumps<D>(places, moving_clusters_.at(frame.position), kernel_, habitats_[h]);
+      continue;
+    }
+    if (!near) near = rows(frame);
+    auto made = rdme::make_habitat_graph<D>(places, *near, box_, kernel_, scene_.depth, habitats_[h], weights(frame));
+    if (!frame.drift.empty()) attach_flow(carrying, made.graph);
+    voxels.graphs[h] = std::move(made.graph);
+    contacts[h] = std::move(made.contacts);
+  }
+  for (std::size_t s = 0; s < scene_.species.size(); ++s) {
+    if (habitat_of_species_[s] >= 0) add_boundary_exchanges(s, contacts[std::size_t(habitat_of_species_[s])], voxels);
+    add_sponge_exchanges(s, voxels);
+  }
 }
 
 template <int D>
@@ -236,9 +265,9 @@ rdme::Exchange Geometry<D>::exchange_of(const scene::SpeciesBoundary& boundary, 
 }
 
 template <int D>
-void Geometry<D>::add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph,
+void Geometry<D>::add_boundary_exchanges(std::size_t species, const std::vector<rdme::Contact>& contacts,
                                          rdme::Voxels& voxels) const {
-  for (const auto& contact : graph.contacts) {
+  for (const auto& contact : contacts) {
     for (const auto& boundary : scene_.boundaries) {
       if (boundary.species != int(species)) continue;
       const auto exchange = exchange_of(boundary, contact, voxels.volume[contact.voxel]);

@@ -9,6 +9,7 @@
 #include "rdme/jump_graph.hpp"
 #include "rdme/voxels.hpp"
 #include "scene/scene.hpp"
+#include "sph/clusters.hpp"
 #include "sph/fill.hpp"
 #include "sph/kernel.hpp"
 #include "sph/skin_rows.hpp"
@@ -26,7 +27,10 @@ class Geometry {
   bool carries() const { return !carried_.empty(); }
 
   // Where nothing carries and the particles rest, pass a frame without drift.
-  rdme::Voxels voxels(const Frame<D>& frame) const;
+  rdme::Voxels voxels(const Frame<D>& frame) const { return voxels(frame, {}); }
+
+  // The same for samplers alone: jumps of these species [species] need not be listed where particles move on.
+  rdme::Voxels voxels(const Frame<D>& frame, const std::vector<bool>& sampled) const;
 
   // What passes between voxels [m^3/s]: what the fluid carries, and a flow from fuller to emptier voxels that keeps
   // capacities near what the particles fill (it carries species along, so it changes no uniform concentration and
@@ -49,11 +53,14 @@ class Geometry {
   void find_habitats();
   // By voxel; vacant ones have a number of their own, of which nothing is known.
   std::vector<std::uint16_t> material_in(const Frame<D>& frame) const;
+  bool listed(std::size_t habitat, const Frame<D>& frame, const std::vector<bool>& sampled) const;
+  void add_graphs(const Frame<D>& frame, const std::vector<bool>& sampled, rdme::Voxels& voxels) const;
   double reach() const;  // [m] of the kernel
   std::shared_ptr<const sph::NeighbourRows<D>> rows(const Frame<D>& frame) const;
   rdme::PairWeights weights(const Frame<D>& frame) const;
   void relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const;
-  void add_boundary_exchanges(std::size_t species, const rdme::HabitatGraph& graph, rdme::Voxels& voxels) const;
+  void add_boundary_exchanges(std::size_t species, const std::vector<rdme::Contact>& contacts,
+                              rdme::Voxels& voxels) const;
   rdme::Exchange exchange_of(const scene::SpeciesBoundary& boundary, const rdme::Contact& contact, double volume) const;
   void add_sponge_exchanges(std::size_t species, rdme::Voxels& voxels) const;
   void add_surfaces(const rdme::Places<D>& places, rdme::Voxels& voxels) const;
@@ -66,6 +73,7 @@ class Geometry {
   sph::AnyKernel<D> kernel_;
   double cell_;  // [m^D] what a particle fills on the lattice
   mutable sph::SkinRows<D> moving_rows_;
+  mutable sph::SkinLists<D, sph::Clusters<D>> moving_clusters_;
   std::vector<bool> carried_;  // [materials]; empty where nothing is carried
   std::vector<rdme::Habitat> habitats_;
   std::vector<int> habitat_of_species_;  // -1: neither diffuses nor is carried

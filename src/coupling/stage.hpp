@@ -54,6 +54,9 @@ class StageBuilder {
       if (species.method != scene::SpeciesMethod::stochastic || sampler_) continue;
       sampler_ = rdme::make_sampler(scene.numerics, network);
     }
+    for (const auto& species : scene.species)
+      sampled_.push_back(species.method == scene::SpeciesMethod::stochastic &&
+                         scene.numerics.sampler != scene::Sampler::direct);  // which reads written rows
   }
 
   const Geometry<D>& geometry() const { return geometry_; }
@@ -66,7 +69,7 @@ class StageBuilder {
     kept_ += frame.position.size() * pairs * pair_bytes;
     const auto build = [this](const Frame<D>& of) {
       auto ground = std::make_shared<Ground>();
-      ground->voxels = geometry_.voxels(of);
+      ground->voxels = geometry_.voxels(of, sampled_);
       if (sampler_) ground->tables = sampler_->prepare(ground->voxels);
       return std::shared_ptr<const Ground>(ground);
     };
@@ -77,6 +80,7 @@ class StageBuilder {
   const Geometry<D>& geometry_;
   const rdme::Network& network_;
   std::unique_ptr<rdme::Sampler> sampler_;  // only derives tables
+  std::vector<bool> sampled_;               // by species: by samplers that do not need jumps listed
   mutable std::size_t kept_ = 0;            // [bytes], estimate
 };
 

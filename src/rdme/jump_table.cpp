@@ -12,6 +12,8 @@
 namespace shmoo::rdme {
 namespace {
 
+constexpr double jumps_that_pay = 30;  // of a voxel: finding so many one by one takes as long as listing its row
+
 void check(double rate, const char* what, const std::string& species, std::size_t voxel) {
   if (rate >= 0 && std::isfinite(rate)) return;
   throw base::RunError(
@@ -20,24 +22,56 @@ void check(double rate, const char* what, const std::string& species, std::size_
                   what, species, voxel, rate));
 }
 
-const JumpGraph* graph_of(const Network& network, const Voxels& voxels, int species) {
-  const int graph = voxels.graph_of_species[species];
-  if (graph < 0) return nullptr;
-  const bool still = network.diffusivity(species) == 0 && voxels.graphs[graph].flow.empty();
-  return still ? nullptr : &voxels.graphs[graph];
-}
+// Jumps of one species: written down in a graph, unlisted, or none.
+struct Jumps {
+  const JumpGraph* graph = nullptr;
+  std::shared_ptr<const UnlistedJumps> unlisted;
+  double kappa = 0;  // [m^2/s]
 
-void sum_rates(const Network& network, const Voxels& voxels, JumpTables& tables) {
+  Jumps(const Network& network, const Voxels& voxels, int species) {
+    const int which = voxels.graph_of_species[species];
+    if (which < 0 || !network.stochastic(species)) return;
+    const auto at = static_cast<std::size_t>(which);
+    kappa = network.diffusivity(species);
+    if (kappa == 0 && voxels.graphs[at].flow.empty()) return;
+    if (at < voxels.unlisted.size()) unlisted = voxels.unlisted[at];
+    if (!unlisted) graph = &voxels.graphs[at];
+  }
+  explicit operator bool() const { return graph || unlisted; }
+
+  double sum(const Voxels& voxels, std::size_t i, bool exact) const {  // [1/s] per molecule
+    if (unlisted && !exact) return kappa * unlisted->sum(i);
+    double sum = 0;
+    std::vector<std::uint32_t> target;
+    std::vector<double> rate;
+    if (unlisted) row(voxels, i, target, rate);
+    for (const double one : rate) sum += one;
+    for (std::uint64_t p = graph ? graph->first[i] : 0; graph && p < graph->first[i + 1]; ++p)
+      sum += jump_rate(*graph, p, kappa, voxels.volume[i]);
+    return sum;
+  }
+
+  // Rates [1/s] of a row.
+  void row(const Voxels& voxels, std::size_t i, std::vector<std::uint32_t>& target, std::vector<double>& rate) const {
+    if (unlisted) {
+      unlisted->row(static_cast<std::uint32_t>(i), target, rate);
+      for (double& one : rate) one *= kappa;
+    }
+    for (std::uint64_t p = graph ? graph->first[i] : 0; graph && p < graph->first[i + 1]; ++p) {
+      rate.push_back(jump_rate(*graph, p, kappa, voxels.volume[i]));
+      target.push_back(graph->target[p]);
+    }
+  }
+};
+
+// `exact`: also of what is unlisted, whose bounds do otherwise.
+void sum_rates(const Network& network, const Voxels& voxels, bool exact, JumpTables& tables) {
   const std::size_t stride = network.species();
   for (std::size_t s = 0; s < stride; ++s) {
     const int species = static_cast<int>(s);
-    const JumpGraph* graph = network.stochastic(species) ? graph_of(network, voxels, species) : nullptr;
-    if (!graph) continue;
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-      double sum = 0;
-      for (std::uint64_t p = graph->first[i]; p < graph->first[i + 1]; ++p) {
-        sum += jump_rate(*graph, p, network.diffusivity(species), voxels.volume[i]);
-      }
+    const Jumps jumps(network, voxels, species);
+    for (std::size_t i = 0; jumps && i < voxels.size(); ++i) {
+      const double sum = jumps.sum(voxels, i, exact);
       check(sum, "jump", network.name(species), i);
       tables.leave_rate[i * stride + s] = sum;
     }
@@ -65,30 +99,60 @@ std::vector<std::map<std::uint32_t, double>> sum_exchanges(const Network& networ
 }
 
 // `uniform` 0: rows of jumps only.
-std::shared_ptr<const JumpTable> make_table(const Voxels& voxels, const JumpGraph* graph, double kappa, double uniform,
+std::shared_ptr<const JumpTable> make_table(const Voxels& voxels, const Jumps& jumps, double uniform,
                                             const std::map<std::uint32_t, double>& exits) {
   const std::size_t size = voxels.size();
-  auto table = std::make_shared<JumpTable>(size, graph ? graph->target.size() : exits.size());
+  auto table = std::make_shared<JumpTable>(size, jumps.graph ? jumps.graph->target.size() : exits.size());
   std::vector<double> weights;
   std::vector<std::uint32_t> targets;
   for (std::size_t i = 0; i < size; ++i) {
     weights.clear();
     targets.clear();
-    double sum = 0;
+    jumps.row(voxels, i, targets, weights);
     const auto add = [&](double weight, std::size_t target) {
       weights.push_back(weight);
       targets.push_back(static_cast<std::uint32_t>(target));
-      sum += weight;
     };
-    for (std::uint64_t p = graph ? graph->first[i] : 0; graph && p < graph->first[i + 1]; ++p) {
-      add(jump_rate(*graph, p, kappa, voxels.volume[i]), graph->target[p]);
-    }
     if (const auto exit = exits.find(static_cast<std::uint32_t>(i)); exit != exits.end()) add(exit->second, size);
+    double sum = 0;
+    for (const double weight : weights) sum += weight;
     if (uniform > sum * (1 + 1e-14)) add(uniform - sum, i);
     table->add_row(weights, targets);
   }
   table->add_row(std::vector<double>{1.0}, std::vector<std::uint32_t>{static_cast<std::uint32_t>(size)});
   return table;
+}
+
+std::shared_ptr<JumpTables> make_tables(const Network& network, const Voxels& voxels, Rows rows, bool list_all) {
+  auto tables = std::make_shared<JumpTables>();
+  const std::size_t stride = network.species();
+  tables->of_species.resize(stride);
+  tables->unlisted.resize(stride);
+  tables->uniform_rate.assign(stride, 0.0);
+  tables->leave_rate.assign(voxels.size() * stride, 0.0);
+  sum_rates(network, voxels, list_all, *tables);
+  const auto exits = sum_exchanges(network, voxels, *tables);
+  // Without a flow and without exits, probabilities do not depend on the diffusivity.
+  std::map<std::tuple<const void*, double, int>, std::shared_ptr<const JumpTable>> known;
+  for (std::size_t s = 0; s < stride; ++s) {
+    const int species = static_cast<int>(s);
+    const Jumps jumps(network, voxels, species);
+    double largest = 0;
+    for (std::size_t at = s; at < tables->leave_rate.size(); at += stride)
+      largest = std::max(largest, tables->leave_rate[at]);
+    if (largest == 0) continue;
+    if (rows == Rows::uniform) tables->uniform_rate[s] = largest;
+    if (jumps.unlisted && exits[s].empty() && !list_all) {
+      tables->unlisted[s] = jumps.unlisted;
+      continue;
+    }
+    const bool shared = exits[s].empty() && jumps && (jumps.unlisted || jumps.graph->flow.empty());
+    const void* const origin = jumps.unlisted ? static_cast<const void*>(jumps.unlisted.get()) : jumps.graph;
+    auto& table = known[{origin, shared ? -1.0 : jumps.kappa, exits[s].empty() ? -1 : species}];
+    if (!table) table = make_table(voxels, jumps, tables->uniform_rate[s], exits[s]);
+    tables->of_species[s] = table;
+  }
+  return tables;
 }
 
 }  // namespace
@@ -124,30 +188,20 @@ void JumpTable::add_row(std::span<const double> weights, std::span<const std::ui
 }
 
 std::shared_ptr<const JumpTables> make_jump_tables(const Network& network, const Voxels& voxels, Rows rows) {
-  auto tables = std::make_shared<JumpTables>();
-  const std::size_t stride = network.species();
-  tables->of_species.resize(stride);
-  tables->uniform_rate.assign(stride, 0.0);
-  tables->leave_rate.assign(voxels.size() * stride, 0.0);
-  sum_rates(network, voxels, *tables);
-  const auto exits = sum_exchanges(network, voxels, *tables);
-  // Without a flow and without exits, probabilities do not depend on the diffusivity.
-  std::map<std::tuple<const JumpGraph*, double, int>, std::shared_ptr<const JumpTable>> known;
-  for (std::size_t s = 0; s < stride; ++s) {
-    const int species = static_cast<int>(s);
-    const JumpGraph* graph = network.stochastic(species) ? graph_of(network, voxels, species) : nullptr;
-    double largest = 0;
-    for (std::size_t at = s; at < tables->leave_rate.size(); at += stride)
-      largest = std::max(largest, tables->leave_rate[at]);
-    if (largest == 0) continue;
-    if (rows == Rows::uniform) tables->uniform_rate[s] = largest;
-    const double kappa = network.diffusivity(species);
-    const bool shared = exits[s].empty() && graph && graph->flow.empty();
-    auto& table = known[{graph, shared ? -1.0 : kappa, exits[s].empty() ? -1 : species}];
-    if (!table) table = make_table(voxels, graph, kappa, tables->uniform_rate[s], exits[s]);
-    tables->of_species[s] = table;
+  return make_tables(network, voxels, rows, false);
+}
+
+std::shared_ptr<const JumpTables> with_rows_that_pay(std::shared_ptr<const JumpTables> tables, const Network& network,
+                                                     const Voxels& voxels, const State& state, double dt, Rows rows) {
+  double rate = 0;  // [1/s] of jumps that are found one by one
+  for (std::size_t s = 0; s < tables->unlisted.size(); ++s) {
+    for (std::size_t at = s; tables->unlisted[s] && at < state.count.size(); at += state.species)
+      rate += tables->leave_rate[at] * static_cast<double>(state.count[at]);
   }
-  return tables;
+  if (rate * dt <= jumps_that_pay * static_cast<double>(voxels.size())) return tables;
+  const std::lock_guard lock(tables->mutex);
+  if (!tables->listed) tables->listed = make_tables(network, voxels, rows, true);
+  return tables->listed;
 }
 
 }  // namespace shmoo::rdme

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #endif
 
 #include "rdme/network.hpp"
+#include "rdme/state.hpp"
+#include "rdme/unlisted_jumps.hpp"
 #include "rdme/voxels.hpp"
 
 namespace shmoo::rdme {
@@ -71,14 +74,24 @@ enum class Rows {
 
 // For all stochastic species. Those with equal rows share them.
 struct JumpTables {
-  std::vector<std::shared_ptr<const JumpTable>>
-      of_species;                    // null: deterministic, or neither jumps nor leaves anywhere
+  // Null: unlisted, or the species is deterministic, or neither jumps nor leaves anywhere.
+  std::vector<std::shared_ptr<const JumpTable>> of_species;
+  std::vector<std::shared_ptr<const UnlistedJumps>> unlisted;  // by species; null where there are rows, or no jumps
   std::vector<double> uniform_rate;  // [1/s] by species: moves of one molecule, Rows::uniform
   std::vector<double> leave_rate;    // [1/s] per molecule, jumps and exit, entry [voxel * species + s]
   std::vector<double> entry_rate;    // [molecules/s], the same shape; empty where nothing enters
+
+  bool moves(std::size_t s) const { return of_species[s] || unlisted[s]; }
+
+  mutable std::mutex mutex;
+  mutable std::shared_ptr<const JumpTables> listed;  // the same with rows for all, once someone has asked for them
 };
 
 // Throws base::RunError where a rate is negative or not finite.
 std::shared_ptr<const JumpTables> make_jump_tables(const Network& network, const Voxels& voxels, Rows rows);
+
+// These tables, or where so many molecules are going to jump in dt [s] that rows pay, what has rows for all species.
+std::shared_ptr<const JumpTables> with_rows_that_pay(std::shared_ptr<const JumpTables> tables, const Network& network,
+                                                     const Voxels& voxels, const State& state, double dt, Rows rows);
 
 }  // namespace shmoo::rdme

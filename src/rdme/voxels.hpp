@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace shmoo::rdme {
+
+class UnlistedJumps;
 
 // Jumps of one habitat (a set of home materials), rows over all voxels; the row of a voxel outside the habitat is
 // empty.
@@ -54,6 +57,7 @@ struct Voxels {
   std::vector<std::uint16_t> material;          // index into scene::Scene::materials
   std::vector<std::array<double, 3>> position;  // [m]
   std::vector<JumpGraph> graphs;
+  std::vector<std::shared_ptr<const UnlistedJumps>> unlisted;  // by graph, that is then empty; null: it is written down
   std::vector<int> graph_of_species;  // index into graphs; -1: the species does not move
   std::vector<Exchange> exchanges;    // ascending by (voxel, species)
   std::vector<Surface> surfaces;      // of surface reactions

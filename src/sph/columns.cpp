@@ -69,12 +69,16 @@ void Columns<D>::sort_layer(std::span<const base::Vec<D>> points, std::size_t la
     std::sort(begin, end, [&](std::uint32_t i, std::uint32_t j) { return below(i, j) || (!below(j, i) && i < j); });
 }
 
+template struct ColumnGrid<1>;
 template struct ColumnGrid<2>;
 template struct ColumnGrid<3>;
+template ColumnGrid<1> lay_columns<1>(const base::Vec<1>&, const base::Vec<1>&, double, const std::array<bool, 1>&,
+                                      double);
 template ColumnGrid<2> lay_columns<2>(const base::Vec<2>&, const base::Vec<2>&, double, const std::array<bool, 2>&,
                                       double);
 template ColumnGrid<3> lay_columns<3>(const base::Vec<3>&, const base::Vec<3>&, double, const std::array<bool, 3>&,
                                       double);
+template class Columns<1>;
 template class Columns<2>;
 template class Columns<3>;
 

@@ -45,12 +45,13 @@ class Columns {
   // Calls visit(column, begin, end) for all ranges of the order that can hold points within `distance` of the box.
   template <class Visit>
   void visit(const base::Vec<D>& lower, const base::Vec<D>& upper, double distance, Visit&& visit) const {
+    if constexpr (D == 1) return visit_column(0, lower[0] - distance, upper[0] + distance, visit);
     const int x0 = grid_.at(lower[0] - distance, 0), x1 = grid_.at(upper[0] + distance, 0);
     for (int x = x0; x <= x1; ++x) {
       const double rest = within(distance, gap(lower, upper, 0, x));
       if constexpr (D == 2) {
         visit_column(std::size_t(x), lower[1] - rest, upper[1] + rest, visit);
-      } else {
+      } else if constexpr (D == 3) {
         const int y0 = grid_.at(lower[1] - rest, 1), y1 = grid_.at(upper[1] + rest, 1);
         for (int y = y0; y <= y1; ++y) {
           const double along = within(rest, gap(lower, upper, 1, y));
@@ -84,8 +85,10 @@ class Columns {
   std::vector<std::uint32_t> first_, order_, layer_;
 };
 
+extern template struct ColumnGrid<1>;
 extern template struct ColumnGrid<2>;
 extern template struct ColumnGrid<3>;
+extern template class Columns<1>;
 extern template class Columns<2>;
 extern template class Columns<3>;
 

@@ -13,6 +13,7 @@ namespace shmoo::rdme {
 namespace {
 
 constexpr std::size_t near = 8192;            // voxels whose rows and rates the second cache holds
+constexpr std::uint32_t of_targets = 4;       // place in the stream of exact events (shared_bounds.cpp has others)
 constexpr std::uint32_t nobody = 0xFFFFFFFF;  // no voxel
 
 }  // namespace
@@ -22,6 +23,7 @@ CompositionRejection::CompositionRejection(const Network& network)
       propensities_(network),
       species_(network.species()),
       reactions_(network.reactions().size()),
+      shared_(network, propensities_),
       events_(reactions_, 0) {}
 
 std::shared_ptr<const JumpTables> CompositionRejection::prepare(const Voxels& voxels) const {
@@ -31,21 +33,38 @@ std::shared_ptr<const JumpTables> CompositionRejection::prepare(const Voxels& vo
 void CompositionRejection::bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables> tables) {
   voxels_ = &voxels;
   state_ = &state;
-  tables_ = std::move(tables);
   propensities_.bind(voxels, state);
+  use(std::move(tables));
   beside_ = Beside(network_.samples_surfaces() ? voxels.surfaces : std::vector<Surface>{}, voxels.size());
-  table_.clear();
-  mobile_.clear();
-  for (const auto& table : tables_->of_species) {
-    if (table) mobile_.push_back(static_cast<std::uint32_t>(table_.size()));
-    table_.push_back(table.get());
-  }
-  leave_ = tables_->leave_rate.data();
-  entry_ = tables_->entry_rate.empty() ? nullptr : tables_->entry_rate.data();
   count_ = state.count.data();
   far_ = voxels.size() > near;
   rows_.clear(network_.any_sampled() ? voxels.size() : 0, reactions_);
-  derived_ = false;
+  amounts_changed();
+}
+
+void CompositionRejection::use(std::shared_ptr<const JumpTables> tables) {
+  tables_ = std::move(tables);
+  table_.clear();
+  mobile_.clear();
+  for (std::size_t s = 0; s < species_; ++s) {
+    if (tables_->moves(s)) mobile_.push_back(static_cast<std::uint32_t>(s));
+    table_.push_back(tables_->of_species[s].get());
+  }
+  leave_ = tables_->leave_rate.data();
+  entry_ = tables_->entry_rate.empty() ? nullptr : tables_->entry_rate.data();
+  shared_.bind(*voxels_, *state_, *tables_);
+}
+
+// Which way to go on. Where voxels were not alike, that is looked at again from time to time.
+bool CompositionRejection::alike() {
+  if (watch_ || network_.sampled_rates_change_in_time() || network_.samples_surfaces()) return false;
+  const std::uint64_t events = state_->reaction_events + state_->jump_events;
+  const bool again = way_ == Way::groups && events - decided_at_ > 8 * voxels_->size() + 100000;
+  if (way_ == Way::undecided || again) {
+    way_ = shared_.pays(process_) ? Way::shared_bounds : Way::groups;
+    decided_at_ = events;
+  }
+  return way_ == Way::shared_bounds;
 }
 
 void CompositionRejection::derive_all() {
@@ -89,17 +108,33 @@ void CompositionRejection::species_changed(std::uint32_t voxel, int species) {
 
 void CompositionRejection::advance(double t, double dt, Process process, const base::RandomKey& key,
                                    std::uint64_t step) {
-  if (process != process_) derived_ = false;
+  if (process != process_) amounts_changed();
   process_ = process;
   diffusion_ = process != Process::reactions;
   reaction_ = process != Process::diffusion && network_.any_sampled();
+  if (auto better = with_rows_that_pay(tables_, network_, *voxels_, *state_, dt, Rows::jumps); better != tables_) {
+    use(std::move(better));
+    amounts_changed();
+  }
+  if (alike()) {
+    derived_ = false;
+    const double left = shared_.advance(dt, key, step, events_);
+    t += dt - left;
+    dt = left;
+    if (left > 0) way_ = Way::groups;
+  }
+  if (dt > 0) by_groups(t, dt, key, step);
+  close_books(*state_, network_, events_);
+}
+
+void CompositionRejection::by_groups(double t, double dt, const base::RandomKey& key, std::uint64_t step) {
   AttemptSequence sequence(key, base::Stream::stochastic_exact, step);
+  targets_.open({key, base::Stream::stochastic_exact, step, of_targets});
   for (const Window& window : propensities_.windows(t, dt)) {
     propensities_.set_window(window);
     if (!derived_ || network_.sampled_rates_change_in_time()) derive_all();
     if (!pass(window, network_.sampled_rates_change_in_time() ? 0.0 : t, sequence)) break;
   }
-  close_books(*state_, network_, events_);
 }
 
 // All events of a window whose times count from `origin`; false where the watch stops it.
@@ -183,6 +218,7 @@ std::uint32_t CompositionRejection::fire(std::uint32_t voxel, double rest, std::
     for (const std::uint32_t s : mobile_) {
       const double rate = leave[s] * static_cast<double>(count[s]);
       if (rest < rate) {
+        if (!table_[s]) return jump(voxel, static_cast<int>(s), tables_->unlisted[s]->target(voxel, targets_));
         return jump(voxel, static_cast<int>(s), table_[s] == table_[0] ? guess : table_[s]->target(voxel, word));
       }
       rest -= rate;
@@ -205,6 +241,7 @@ std::uint32_t CompositionRejection::fire(std::uint32_t voxel, double rest, std::
 }
 
 std::uint32_t CompositionRejection::jump(std::uint32_t voxel, int species, std::uint32_t target) {
+  if (target == voxel) return voxel;  // it fails
   --count_[voxel * species_ + species];
   species_changed(voxel, species);
   refresh(voxel);

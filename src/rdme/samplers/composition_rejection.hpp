@@ -1,5 +1,6 @@
 #pragma once
-// Exact and fast: the cost of an event does not depend on the number of voxels. A voxel is found by composition and
+// Exact and fast: the cost of an event does not depend on the number of voxels. Where voxels are much alike, events are
+// found by bounds that all share (shared_bounds.hpp). Elsewhere a voxel is found by composition and
 // rejection (groups.hpp); within it species that jump, entries and reactions follow in turn; a jump's target comes from
 // the voxel's row of cumulative probabilities (jump_table.hpp). A voxel's total is summed anew from its numbers at each
 // change, never updated by differences, so round-off cannot drift.
@@ -10,6 +11,8 @@
 #include "rdme/sampler.hpp"
 #include "rdme/samplers/groups.hpp"
 #include "rdme/samplers/propensity_rows.hpp"
+#include "rdme/samplers/shared_bounds.hpp"
+#include "rdme/samplers/word_stream.hpp"
 #include "rdme/surface/beside.hpp"
 #include "rdme/words.hpp"
 
@@ -22,11 +25,16 @@ class CompositionRejection final : public Sampler {
   std::shared_ptr<const JumpTables> prepare(const Voxels& voxels) const override;
   using Sampler::bind;
   void bind(const Voxels& voxels, State& state, std::shared_ptr<const JumpTables> tables) override;
-  void amounts_changed() override { derived_ = false; }
+  void amounts_changed() override {
+    derived_ = false;
+    way_ = Way::undecided;
+  }
   void watch(EventWatch* watch) override { watch_ = watch; }
   void advance(double t, double dt, Process process, const base::RandomKey& key, std::uint64_t step) override;
 
  private:
+  void use(std::shared_ptr<const JumpTables> tables);
+  bool alike();
   void derive_all();
   void refresh(std::uint32_t voxel);
   void species_changed(std::uint32_t voxel, int species);
@@ -46,6 +54,7 @@ class CompositionRejection final : public Sampler {
   std::uint32_t fire(std::uint32_t voxel, double rest, std::uint32_t word, std::uint32_t guess);
   std::uint32_t jump(std::uint32_t voxel, int species, std::uint32_t target);
   std::uint32_t react(std::uint32_t voxel, int index, double rest);
+  void by_groups(double t, double dt, const base::RandomKey& key, std::uint64_t step);
   bool pass(const Window& window, double origin, AttemptSequence& sequence);
 
   const Network& network_;
@@ -59,8 +68,12 @@ class CompositionRejection final : public Sampler {
   bool derived_ = false;
   bool far_ = false;                         // memory is worth asking for early
   bool diffusion_ = true, reaction_ = true;  // what the process acts on
+  enum class Way { undecided, shared_bounds, groups } way_ = Way::undecided;
+  std::uint64_t decided_at_ = 0;  // events of the state when the way was chosen
+  SharedBounds shared_;
   Groups groups_;
-  std::vector<const JumpTable*> table_;  // by species
+  std::vector<const JumpTable*> table_;  // by species; null where jumps are unlisted, or none
+  WordStream targets_;                   // for jumps that are unlisted
   std::vector<std::uint32_t> mobile_;    // species that jump or leave anywhere
   const double* leave_ = nullptr;        // as in JumpTables
   const double* entry_ = nullptr;        // null where nothing enters

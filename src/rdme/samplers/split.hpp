@@ -4,9 +4,8 @@
 // step. Between voxels nothing is shared within a part: each voxel's reactions are an exact simulation
 // (voxel_reactions.hpp), and diffusion is sampled without events (uniformised.hpp). Groups of voxels have random
 // numbers of their own, so that threads share a step and the bits are the same for any number of them.
-#include <vector>
-
 #include "rdme/sampler.hpp"
+#include "rdme/samplers/reactions_in_groups.hpp"
 #include "rdme/samplers/uniformised.hpp"
 #include "rdme/samplers/voxel_reactions.hpp"
 
@@ -30,7 +29,7 @@ class Split final : public Sampler {
   State* state_ = nullptr;
   std::shared_ptr<const JumpTables> tables_;
   UniformisedDiffusion diffusion_;
-  std::vector<VoxelReactions> lanes_;  // one a thread
+  ReactionsInGroups<VoxelReactions> reactions_;
 };
 
 }  // namespace shmoo::rdme

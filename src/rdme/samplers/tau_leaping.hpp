@@ -5,6 +5,7 @@
 // only the error of leaps is left.
 #include "rdme/sampler.hpp"
 #include "rdme/samplers/leaping_reactions.hpp"
+#include "rdme/samplers/reactions_in_groups.hpp"
 #include "rdme/samplers/uniformised.hpp"
 
 namespace shmoo::rdme {
@@ -24,8 +25,7 @@ class TauLeaping final : public Sampler {
   void react(double t, double dt, const Address& address, std::uint32_t half);
 
   const Network& network_;
-  double tolerance_;
-  std::vector<LeapingReactions> lanes_;  // of all threads
+  ReactionsInGroups<LeapingReactions> reactions_;
   UniformisedDiffusion diffusion_;
   const Voxels* voxels_ = nullptr;
   State* state_ = nullptr;

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "rdme/samplers/share_groups.hpp"
+#include "rdme/samplers/wanderers.hpp"
 
 namespace shmoo::rdme {
 namespace {
@@ -23,6 +24,28 @@ struct Costs {
 };
 constexpr double rounds_after = 6;  // the last molecules make about this many moves more than the mean
 
+// P(K >= number + j)/P(K >= number), j = 1, 2, ..., to the last that is not 0, and 0.
+std::vector<double> further(const std::vector<double>& at_least, std::size_t number) {
+  std::vector<double> chances;
+  for (std::size_t r = number + 1; r < at_least.size() && at_least[r] >= 0x1p-64 * at_least[number]; ++r)
+    chances.push_back(at_least[r] / at_least[number]);
+  chances.push_back(0.0);
+  return chances;
+}
+
+// The first of these alone.
+std::vector<double> next(const std::vector<double>& at_least, std::size_t number) {
+  const bool any = number + 1 < at_least.size() && at_least[number + 1] >= 0x1p-64 * at_least[number];
+  return any ? std::vector{at_least[number + 1] / at_least[number], 0.0} : std::vector{0.0};
+}
+
+// Sums of all that comes after.
+std::vector<double> sums_beyond(const std::vector<double>& values) {
+  std::vector<double> sums(values.size(), 0.0);
+  for (std::size_t r = values.size() - 1; r-- > 0;) sums[r] = sums[r + 1] + values[r + 1];
+  return sums;
+}
+
 }  // namespace
 
 void UniformisedDiffusion::Chances::set(double to) {
@@ -33,10 +56,10 @@ void UniformisedDiffusion::Chances::set(double to) {
     resident.push_back(boost::math::gamma_p(static_cast<double>(resident.size()), mean));
   }
   // E[max(0, M - r)]/E[M], and the former is the sum over k > r of P(M >= k).
-  entrant.assign(resident.size(), 0.0);
-  for (std::size_t r = resident.size() - 1; r-- > 0;) entrant[r] = entrant[r + 1] + resident[r + 1];
+  entrant = beyond_resident = sums_beyond(resident);
   for (std::size_t r = 1; r < entrant.size(); ++r) entrant[r] /= mean;
   entrant[0] = 1.0;  // but for round-off
+  beyond_entrant = sums_beyond(entrant);
 }
 
 void UniformisedDiffusion::advance(const JumpTables& tables, double dt, const Address& address, State& state) {
@@ -46,6 +69,10 @@ void UniformisedDiffusion::advance(const JumpTables& tables, double dt, const Ad
   active_.assign(voxels + 1, 0);
   for (std::uint32_t s = 0; s < stride; ++s) {
     const Walk walk{tables.of_species[s].get(), &address, s, stride, voxels};
+    if (tables.unlisted[s]) {
+      wander(tables, dt, walk, state);
+      continue;
+    }
     if (!walk.table) {
       if (take_entries(tables, dt, walk, state) == 0) continue;
       for (std::size_t i = 0; i < voxels; ++i) state.count[i * stride + s] += std::exchange(active_[i], 0);
@@ -54,9 +81,9 @@ void UniformisedDiffusion::advance(const JumpTables& tables, double dt, const Ad
     chances_[s].set(tables.uniform_rate[s] * dt);
     const std::int64_t residents = take_counts(state, s, voxels);
     start_lanes(residents, voxels);
-    if (residents > 0) rounds(walk, base::Stream::diffusion_rounds, chances_[s].resident);
+    if (residents > 0) rounds(walk, base::Stream::diffusion_rounds, chances_[s]);
     const std::int64_t entrants = take_entries(tables, dt, walk, state);
-    if (entrants > 0) rounds(walk, base::Stream::reservoir, chances_[s].entrant);
+    if (entrants > 0) rounds(walk, base::Stream::reservoir, chances_[s]);
     if (residents > 0 || entrants > 0) close(walk, state);
   }
 }
@@ -80,6 +107,24 @@ std::int64_t UniformisedDiffusion::take_entries(const JumpTables& tables, double
   return sum;
 }
 
+// Where jumps are unlisted few molecules make any, each by itself. Nothing enters or leaves there.
+void UniformisedDiffusion::wander(const JumpTables& tables, double dt, const Walk& walk, State& state) {
+  const std::int64_t residents = take_counts(state, walk.species, walk.voxels);
+  if (residents == 0) return;
+  start_lanes(residents, walk.voxels);
+  chances_[walk.species].set(tables.uniform_rate[walk.species] * dt);
+  moves_.set(further(chances_[walk.species].resident, 0));
+  share_groups(walk.voxels, threads_, [&](std::uint32_t begin, std::uint32_t end, std::size_t thread) {
+    Lane& lane = lanes_[thread];
+    lane.words.open({walk.address->key, base::Stream::diffusion_rounds, walk.address->step, begin,
+                     walk.stride + walk.species});
+    Wanderers wanderers(tables, walk.species, moves_, lane.words);
+    for (std::uint32_t i = begin; i < end; ++i)
+      lane.jumps += wanderers.move(i, std::exchange(active_[i], 0), lane.resting.data());
+  });
+  close(walk, state);
+}
+
 void UniformisedDiffusion::start_lanes(std::int64_t molecules, std::uint32_t voxels) {
   threads_ = molecules < worth_threads ? 1 : static_cast<std::size_t>(omp_get_max_threads());
   if (lanes_.size() < threads_) lanes_.resize(threads_);
@@ -89,17 +134,13 @@ void UniformisedDiffusion::start_lanes(std::int64_t molecules, std::uint32_t vox
   }
 }
 
-void UniformisedDiffusion::rounds(const Walk& walk, base::Stream stream, const std::vector<double>& at_least) {
+void UniformisedDiffusion::rounds(const Walk& walk, base::Stream stream, const Chances& chances) {
+  const auto& at_least = stream == base::Stream::reservoir ? chances.entrant : chances.resident;
+  const auto& beyond = stream == base::Stream::reservoir ? chances.beyond_entrant : chances.beyond_resident;
   std::uint32_t number = 0;
   do {
-    std::vector<double> further;  // P(K >= number + j)/P(K >= number), j = 1, 2, ...
-    for (std::size_t r = number + std::size_t{1}; r < at_least.size(); ++r) {
-      if (at_least[r] < 0x1p-64 * at_least[number]) break;
-      further.push_back(at_least[r] / at_least[number]);
-    }
-    further.push_back(0.0);
-    moves_.set(std::move(further));
-    choose_way(*walk.table);
+    choose_way(*walk.table, beyond[number] / at_least[number]);
+    moves_.set(walk_out_ ? further(at_least, number) : next(at_least, number));
     if (std::uint64_t{++number} * walk.stride + walk.species > std::numeric_limits<std::uint32_t>::max()) {
       throw base::RunError(
           "a molecule makes more moves in one splitting step than random numbers are addressed for; take a "
@@ -110,16 +151,16 @@ void UniformisedDiffusion::rounds(const Walk& walk, base::Stream stream, const s
 }
 
 // Do all walk to their end, or make one move? Where many share a voxel rounds are cheaper, as molecules meet again in
-// each.
-void UniformisedDiffusion::choose_way(const JumpTable& table) {
+// each. `mean`: moves that a molecule still makes.
+void UniformisedDiffusion::choose_way(const JumpTable& table, double mean) {
   const Costs costs(table.mean_blocks());
-  const double rounds = moves_.mean + rounds_after;
+  const double rounds = mean + rounds_after;
   double walking = 0, together = 0;
   for (const std::int64_t here : active_) {
     if (here == 0) continue;
     const auto n = static_cast<double>(here);
-    walking += (1 + costs.walk * moves_.mean) * n;
-    together += costs.look * rounds + std::min(costs.row * rounds, costs.single * n * (moves_.mean + 1));
+    walking += (1 + costs.walk * mean) * n;
+    together += costs.look * rounds + std::min(costs.row * rounds, costs.single * n * (mean + 1));
   }
   walk_out_ = walking <= together;
   many_ = costs.row / costs.single;

@@ -40,6 +40,7 @@ class UniformisedDiffusion {
   struct Chances {
     double mean = -1;
     std::vector<double> resident, entrant;
+    std::vector<double> beyond_resident, beyond_entrant;  // sum over k > r of P(K >= k)
     void set(double to);
   };
   // What all rounds of one species and step share.
@@ -60,9 +61,10 @@ class UniformisedDiffusion {
 
   std::int64_t take_counts(const State& state, std::uint32_t species, std::uint32_t voxels);
   std::int64_t take_entries(const JumpTables& tables, double dt, const Walk& walk, State& state);
+  void wander(const JumpTables& tables, double dt, const Walk& walk, State& state);
   void start_lanes(std::int64_t molecules, std::uint32_t voxels);
-  void rounds(const Walk& walk, base::Stream stream, const std::vector<double>& at_least);
-  void choose_way(const JumpTable& table);
+  void rounds(const Walk& walk, base::Stream stream, const Chances& chances);
+  void choose_way(const JumpTable& table, double mean);
   void round(const Walk& walk, base::Stream stream, std::uint32_t number);
   void move_group(const Walk& walk, const base::RandomSequence& random, std::uint32_t begin, std::uint32_t end,
                   Lane& lane);

@@ -1,7 +1,6 @@
 #include "rdme/samplers/walkers.hpp"
 
 #include <bit>
-#include <numeric>
 
 #ifdef __AVX512F__
 #include <immintrin.h>
@@ -28,7 +27,6 @@ void Moves::set(std::vector<double> chances) {
   const double of = rare && at_least.front() > 0 ? at_least.front() : 1.0;
   thresholds.clear();
   for (const double chance : at_least) thresholds.push_back(threshold_of(chance / of));
-  mean = std::accumulate(at_least.begin(), at_least.end(), 0.0);
 }
 
 void Walkers::start(const JumpTable& table, std::uint32_t outside, const Moves& moves, WordStream& words,

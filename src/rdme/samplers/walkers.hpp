@@ -16,7 +16,6 @@ struct Moves {
   std::vector<std::uint32_t> thresholds;  // K >= j where a random word is below the j-th
   bool rare = false;  // a first move is too rare for 32 bits: how many make it is a binomial number, and thresholds are
                       // of those only
-  double mean = 0;
 
   void set(std::vector<double> chances);  // down to 0
 };

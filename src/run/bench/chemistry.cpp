@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
 #include <set>
 
 #include "base/clock.hpp"
@@ -8,6 +10,7 @@
 #include "rdme/sampler.hpp"
 #include "run/bench/lattice_problem.hpp"
 #include "run/bench/next_subvolume.hpp"
+#include "run/bench/problem.hpp"
 #include "run/bench/workload.hpp"
 
 namespace shmoo::run::bench {
@@ -15,20 +18,10 @@ namespace {
 
 constexpr double most_deviations = 5.0;
 
-// A network on a lattice, ready to run, and how its law is checked.
-struct Problem {
-  scene::Scene scene;
-  std::array<std::uint32_t, 3> cells{1, 1, 1};
-  double mean = 10;  // molecules of each species and voxel at the start
-  std::string law;
-  std::function<double(const rdme::State&, std::size_t voxels)> deviations;  // standard normal where all is right
-};
-
 std::uint64_t events_of(const rdme::State& state) { return state.reaction_events + state.jump_events; }
 
-void judge(const Problem& problem, const rdme::Network& network, const rdme::State& state, std::size_t voxels,
-           Measurement& measurement) {
-  const double off = problem.deviations(state, voxels);
+void judge(const Problem& problem, const rdme::Network& network, const rdme::State& state, Measurement& measurement) {
+  const double off = problem.deviations(counts_of(state));
   const auto lost = rdme::imbalance(state, network);
   measurement.right = lost.empty() && std::abs(off) < most_deviations;
   measurement.check = lost.empty() ? fmt::format("{}: {:+.2f} standard deviations", problem.law, off) : lost;
@@ -65,7 +58,7 @@ Measurement with_sampler(const Problem& problem, scene::Sampler method, double d
     measurement.cpu_seconds = base::cpu_seconds() - start;
   } while (measurement.cpu_seconds < seconds);
   measurement.rate = double(events_of(state) - done) / measurement.cpu_seconds;
-  judge(problem, network, state, voxels.size(), measurement);
+  judge(problem, network, state, measurement);
   return measurement;
 }
 
@@ -87,86 +80,84 @@ Measurement with_heap(const Problem& problem, double seconds) {
     measurement.cpu_seconds = base::cpu_seconds() - start;
   } while (measurement.cpu_seconds < seconds);
   measurement.rate = double(done) / measurement.cpu_seconds;
-  const double off = problem.deviations(state, voxels.size());
+  const double off = problem.deviations(counts_of(state));
   measurement.right = std::abs(off) < most_deviations;
   measurement.check = fmt::format("{}: {:+.2f} standard deviations", problem.law, off);
   return measurement;
 }
 
 // About this many events a call of advance(), so that exact methods are timed in portions.
-double portion(double events_per_second) { return 2e5 / events_per_second; }
+double portion(const Problem& problem) { return 2e5 / problem.events_per_second; }
 
-void add(std::vector<Workload>& all, const std::string& name, const std::string& method, const Problem& problem,
-         scene::Sampler sampler, double dt) {
-  all.push_back({name, method, "events per CPU second",
+void add(std::vector<Workload>& all, const Problem& problem, const std::string& method, scene::Sampler sampler,
+         double dt) {
+  all.push_back({problem.name, method, "events per CPU second",
                  [=](double seconds) { return with_sampler(problem, sampler, dt, seconds); }});
 }
 
-void add_heap(std::vector<Workload>& all, const std::string& name, const Problem& problem) {
-  all.push_back({name, "exact-next-subvolume-heap", "events per CPU second",
+void add_heap(std::vector<Workload>& all, const Problem& problem) {
+  all.push_back({problem.name, "exact-next-subvolume-heap", "events per CPU second",
                  [=](double seconds) { return with_heap(problem, seconds); }});
 }
 
-void add_diffusion(std::vector<Workload>& all, std::uint32_t n) {
-  const auto name = fmt::format("D3-{}", n);
-  const double voxels = double(n) * n * n;
-  const Problem problem{diffusion_scene(), {n, n, n}, 10.0, "multinomial over the voxels", spread_over_voxels};
-  add_heap(all, name, problem);
-  if (n <= 10) add(all, name, "direct", problem, scene::Sampler::direct, 0.1 * portion(60.0 * voxels));
-  add(all, name, "exact-composition-rejection", problem, scene::Sampler::composition_rejection, portion(60.0 * voxels));
-  for (const double jumps : {0.6, 3.0})
-    add(all, name, fmt::format("split-{:g}-jumps", jumps), problem, scene::Sampler::split, jumps / 6.0);
-  add(all, name, "tau-3-jumps", problem, scene::Sampler::tau_leaping, 0.5);
+void add_exact(std::vector<Workload>& all, const Problem& problem) {
+  add(all, problem, "exact-composition-rejection", scene::Sampler::composition_rejection, portion(problem));
 }
 
-void add_binding(std::vector<Workload>& all, std::uint32_t n) {
-  const auto name = fmt::format("RD-{}", n);
-  const double voxels = double(n) * n * n;
-  const Problem problem{binding_scene(), {n, n, n}, 10.0, "A + B <-> C in equilibrium", distance_from_equilibrium};
-  add_heap(all, name, problem);
-  add(all, name, "exact-composition-rejection", problem, scene::Sampler::composition_rejection,
-      portion(360.0 * voxels));
-  for (const double jumps : {0.06, 0.6, 3.0})
-    add(all, name, fmt::format("split-{:g}-jumps", jumps), problem, scene::Sampler::split, jumps / 6.0);
-  add(all, name, "tau-0.6-jumps", problem, scene::Sampler::tau_leaping, 0.1);
+void add_split(std::vector<Workload>& all, const Problem& problem, std::initializer_list<double> jumps) {
+  for (const double each : jumps)
+    add(all, problem, fmt::format("split-{:g}-jumps", each), scene::Sampler::split, each / 6.0);
 }
 
-// All species of the ring are equal: multinomial over them as over voxels.
-double spread_over_species(const rdme::State& state, std::size_t) {
-  double total = 0.0, chi2 = 0.0;
-  for (const auto n : state.count) total += double(n);
-  const double mean = total / double(state.species), degrees = double(state.species) - 1.0;
-  for (const auto n : state.count) chi2 += (double(n) - mean) * (double(n) - mean) / mean;
-  return (chi2 - degrees) / std::sqrt(2.0 * degrees);
+std::vector<Workload> of_diffusion(std::uint32_t n) {
+  std::vector<Workload> all;
+  const Problem problem = diffusion_problem(n);
+  add_heap(all, problem);
+  if (n <= 10) add(all, problem, "direct", scene::Sampler::direct, 0.1 * portion(problem));
+  add_exact(all, problem);
+  add_split(all, problem, {0.6, 3.0});
+  add(all, problem, "tau-3-jumps", scene::Sampler::tau_leaping, 0.5);
+  return all;
 }
 
-// 2 M <-> D at equal numbers: the mean of M at equilibrium from mass action, its variance from detailed balance,
-// P(D) ~ K^D/(M! D!): 4 M D/(M + 4 D).
-double dimer_deviation(const rdme::State& state, std::size_t) {
-  const double D = double(state.count[0]), M = double(state.count[1]), total = M + 2.0 * D;
-  const double K = 10.0 / 1000.0;  // k/back, as in dimer below
-  const double m = (std::sqrt(1.0 + 8.0 * K * total) - 1.0) / (4.0 * K), d = 0.5 * (total - m);
-  return (M - m) / std::sqrt(4.0 * m * d / (m + 4.0 * d));
+std::vector<Workload> of_binding(std::uint32_t n) {
+  std::vector<Workload> all;
+  const Problem problem = binding_problem(n);
+  add_heap(all, problem);
+  add_exact(all, problem);
+  add_split(all, problem, {0.06, 0.6, 3.0});
+  add(all, problem, "tau-0.6-jumps", scene::Sampler::tau_leaping, 0.1);
+  return all;
+}
+
+// One voxel, where a leap may be as long as it likes.
+std::vector<Workload> of_well(const Problem& problem) {
+  std::vector<Workload> all;
+  add(all, problem, "direct", scene::Sampler::direct, portion(problem));
+  add_exact(all, problem);
+  add(all, problem, "tau", scene::Sampler::tau_leaping, 10.0);
+  return all;
 }
 
 }  // namespace
 
 std::vector<Workload> chemistry_workloads() {
   std::vector<Workload> all;
-  for (const std::uint32_t n : {10u, 30u, 60u, 100u}) add_diffusion(all, n);
-  for (const std::uint32_t n : {10u, 30u, 60u}) add_binding(all, n);
-  const Problem dimer{dimer_scene(0.01, 1.0), {1, 1, 1}, 1e5 / 3.0, "2 M <-> D in equilibrium", dimer_deviation};
-  for (const int n : {10, 100}) {
-    const Problem ring{ring_scene(n), {1, 1, 1}, 1000.0, "multinomial over the species", spread_over_species};
-    add(all, fmt::format("ring-{}", n), "direct", ring, scene::Sampler::direct, portion(1000.0 * n));
-    add(all, fmt::format("ring-{}", n), "exact-composition-rejection", ring, scene::Sampler::composition_rejection,
-        portion(1000.0 * n));
-    add(all, fmt::format("ring-{}", n), "tau", ring, scene::Sampler::tau_leaping, 10.0);
-  }
-  add(all, "dimer", "direct", dimer, scene::Sampler::direct, portion(1e5));
-  add(all, "dimer", "exact-composition-rejection", dimer, scene::Sampler::composition_rejection, portion(1e5));
-  add(all, "dimer", "tau", dimer, scene::Sampler::tau_leaping, 10.0);
+  const auto take = [&all](std::vector<Workload> some) { std::ranges::move(some, std::back_inserter(all)); };
+  for (const std::uint32_t n : {10u, 30u, 60u, 100u}) take(of_diffusion(n));
+  for (const std::uint32_t n : {10u, 30u, 60u}) take(of_binding(n));
+  for (const int n : {10, 100}) take(of_well(ring_problem(n)));
+  take(of_well(dimer_problem()));
   return all;
+}
+
+std::vector<Workload> lattice_workloads(const std::string& name) {
+  unsigned n = 0;
+  char rest = 0;
+  const bool diffusion = std::sscanf(name.c_str(), "D3-%3u%c", &n, &rest) == 1;
+  const bool binding = !diffusion && std::sscanf(name.c_str(), "RD-%3u%c", &n, &rest) == 1;
+  if (n < 3 || n > 200 || !(diffusion || binding)) return {};
+  return diffusion ? of_diffusion(n) : of_binding(n);
 }
 
 }  // namespace shmoo::run::bench

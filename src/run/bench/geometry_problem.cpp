@@ -11,6 +11,7 @@
 #include "rdme/initial.hpp"
 #include "rdme/sampler.hpp"
 #include "run/bench/lattice_problem.hpp"
+#include "run/bench/problem.hpp"
 #include "run/bench/workload.hpp"
 #include "run/min_reactions.hpp"
 #include "scene/read.hpp"
@@ -153,7 +154,7 @@ Measurement on_moving_particles(scene::Sampler method, double seconds) {
     frame.capacity.assign(frame.position.size(), filling.cell);
     frame.drift.clear();
     lap(flowing);
-    voxels = geometry.voxels(frame);
+    voxels = geometry.voxels(frame, {true});
     sampler->bind(voxels, state);
     lap(refreshing);
     sampler->advance(t, dt, rdme::Process::both, {1, 0}, step);
@@ -163,7 +164,7 @@ Measurement on_moving_particles(scene::Sampler method, double seconds) {
   Measurement measurement;
   measurement.cpu_seconds = refreshing + jumping;
   measurement.rate = steps / measurement.cpu_seconds;
-  const double off = spread_over_voxels(state, voxels.size());
+  const double off = spread_over_voxels(counts_of(state));
   const auto lost = rdme::imbalance(state, network);
   measurement.right = lost.empty() && std::abs(off) < 5.0;
   measurement.check = fmt::format(

@@ -1,7 +1,5 @@
 #include "run/bench/lattice_problem.hpp"
 
-#include <cmath>
-
 #include "base/random.hpp"
 
 namespace shmoo::run::bench {
@@ -85,28 +83,6 @@ scene::Scene dimer_scene(double k, double back) {
 void fill_poisson(rdme::State& state, double mean) {
   base::RandomSequence random({1, 0}, base::Stream::placement, 0);
   for (auto& n : state.count) n = base::poisson(random, mean);
-}
-
-double spread_over_voxels(const rdme::State& state, std::size_t voxels) {
-  double chi2 = 0.0, degrees = 0.0;
-  for (std::size_t s = 0; s < state.species; ++s) {
-    const double mean = double(rdme::total_count(state, int(s))) / double(voxels);
-    for (std::size_t i = s; i < state.count.size(); i += state.species)
-      chi2 += (double(state.count[i]) - mean) * (double(state.count[i]) - mean) / mean;
-    degrees += double(voxels - 1);
-  }
-  return (chi2 - degrees) / std::sqrt(2.0 * degrees);
-}
-
-// At equilibrium 0.9 (T_A - C)(T_B - C)/N = 9 C with the conserved totals; the variance of C given them is that of
-// three Poisson numbers on the line that keeps both: 1/(1/A + 1/B + 1/C).
-double distance_from_equilibrium(const rdme::State& state, std::size_t voxels) {
-  const double A = double(rdme::total_count(state, 0)), B = double(rdme::total_count(state, 1)),
-               C = double(rdme::total_count(state, 2)), N = double(voxels);
-  const double a = A + C, b = B + C, sum = a + b + 10.0 * N;
-  const double wanted = 0.5 * (sum - std::sqrt(sum * sum - 4.0 * a * b));
-  const double variance = 1.0 / (1.0 / (a - wanted) + 1.0 / (b - wanted) + 1.0 / wanted);
-  return (C - wanted) / std::sqrt(variance);
 }
 
 }  // namespace shmoo::run::bench

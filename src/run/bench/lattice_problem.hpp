@@ -22,11 +22,4 @@ scene::Scene dimer_scene(double k, double back);  // 2 M -> D at k M (M - 1), D 
 // Every voxel starts with Poisson numbers of this mean: the stationary law given the totals, from the start.
 void fill_poisson(rdme::State& state, double mean);
 
-// (Sum over voxels and species of (n - mean)^2/mean - degrees)/sqrt(2 degrees): standard normal where numbers are
-// multinomial over the voxels given their total, species by species.
-double spread_over_voxels(const rdme::State& state, std::size_t voxels);
-
-// How far A + B <-> C is from its equilibrium given the totals, in standard deviations.
-double distance_from_equilibrium(const rdme::State& state, std::size_t voxels);
-
 }  // namespace shmoo::run::bench

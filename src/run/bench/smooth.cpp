@@ -1,5 +1,5 @@
 // Methods of smooth amounts: Langevin by the events that its noise stands for, and the deterministic solver by how much
-// it carries to equilibrium.
+// of space and time it carries along.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "rdme/deterministic.hpp"
 #include "rdme/langevin.hpp"
 #include "run/bench/lattice_problem.hpp"
+#include "run/bench/problem.hpp"
 #include "run/bench/workload.hpp"
 
 namespace shmoo::run::bench {
@@ -27,39 +28,36 @@ void fill_smooth(rdme::State& state, const rdme::Network& network, double mean) 
   rdme::open_ledger(state, network);
 }
 
-// 10^5 molecules in one well: M at equilibrium and its standard deviation (detailed balance, as of the dimer bench).
-Measurement langevin_dimers(double seconds) {
-  constexpr double back = 1.0, K = 0.01, dt = 0.2;
-  const rdme::Network network(treated(dimer_scene(0.01, back), scene::SpeciesMethod::langevin));
-  const auto voxels = lattice({1, 1, 1}, network.species());
-  auto state = rdme::empty_state(network, 1);
-  fill_smooth(state, network, 1e5 / 3.0);
+// At equilibrium, with so many molecules that amounts may be smooth.
+Measurement with_langevin(const Problem& problem, double mean, double dt, double seconds) {
+  const rdme::Network network(treated(problem.scene, scene::SpeciesMethod::langevin));
+  const auto voxels = lattice(problem.cells, network.species());
+  auto state = rdme::empty_state(network, voxels.size());
+  fill_smooth(state, network, mean);
   const double before = allocated_bytes();
   rdme::LangevinSolver solver(network);
   solver.bind(voxels, state);
   std::uint64_t step = 0;
-  for (; step < 50; ++step) solver.advance(0, dt, rdme::Process::both, {1, 0}, step);
+  solver.advance(0, dt, rdme::Process::both, {1, 0}, step++);
   Measurement measurement;
-  measurement.bytes_per_voxel = allocated_bytes() - before;
-  const double start = base::cpu_seconds(), first = double(step), total = state.amount[1] + 2.0 * state.amount[0];
+  measurement.bytes_per_voxel = (allocated_bytes() - before) / double(voxels.size());
+  const double start = base::cpu_seconds(), first = double(step);
   do {
     solver.advance(0, dt, rdme::Process::both, {1, 0}, step++);
     measurement.cpu_seconds = base::cpu_seconds() - start;
   } while (measurement.cpu_seconds < seconds);
-  const double m = (std::sqrt(1.0 + 8.0 * K * total) - 1.0) / (4.0 * K), d = 0.5 * (total - m);
-  measurement.rate = 2.0 * back * d * dt * (double(step) - first) / measurement.cpu_seconds;
-  const double off = (state.amount[1] - m) / std::sqrt(4.0 * m * d / (m + 4.0 * d));
+  measurement.rate =
+      problem.events_per_second * mean / problem.mean * dt * (double(step) - first) / measurement.cpu_seconds;
+  const double off = problem.deviations(amounts_of(state));
   const auto lost = rdme::imbalance(state, network);
   measurement.right = lost.empty() && std::abs(off) < most_deviations;
-  measurement.check = lost.empty() ? fmt::format("2 M <-> D in equilibrium: {:+.2f} standard deviations", off) : lost;
+  measurement.check = lost.empty() ? fmt::format("{}: {:+.2f} standard deviations", problem.law, off) : lost;
   return measurement;
 }
 
-// A + B <-> C from scattered numbers for a second, by which reactions are done: 0.9 A B = 9 C in each voxel but for
-// what gradients still carry.
-Measurement smooth_binding(std::uint32_t n, double seconds) {
-  const rdme::Network network(treated(binding_scene(), scene::SpeciesMethod::deterministic));
-  const auto voxels = lattice({n, n, n}, network.species());
+Measurement with_solver(const Problem& problem, double seconds) {
+  const rdme::Network network(treated(problem.scene, scene::SpeciesMethod::deterministic));
+  const auto voxels = lattice(problem.cells, network.species());
   auto state = rdme::empty_state(network, voxels.size());
   const double before = allocated_bytes();
   rdme::DeterministicSolver solver(network, 1e-6);
@@ -67,23 +65,22 @@ Measurement smooth_binding(std::uint32_t n, double seconds) {
   int runs = 0;
   const double start = base::cpu_seconds();
   do {
-    fill_smooth(state, network, 10.0);
+    fill_smooth(state, network, problem.mean);
+    Numbers numbers = amounts_of(state);
+    problem.start(numbers);
+    state.amount = numbers.n;
+    rdme::open_ledger(state, network);
     solver.bind(voxels, state);
-    solver.advance(0, 1.0, rdme::Process::both);
+    solver.advance(0, problem.until, rdme::Process::both);
     ++runs;
     measurement.cpu_seconds = base::cpu_seconds() - start;
   } while (measurement.cpu_seconds < seconds);
   measurement.bytes_per_voxel = (allocated_bytes() - before) / double(voxels.size());
-  measurement.rate = double(voxels.size()) * runs / measurement.cpu_seconds;
-  double forward = 0.0, backward = 0.0;
-  for (std::size_t i = 0; i < voxels.size(); ++i) {
-    forward += 0.9 * state.amount[3 * i] * state.amount[3 * i + 1];
-    backward += 9.0 * state.amount[3 * i + 2];
-  }
-  const double off = forward / backward - 1.0;
+  measurement.rate = double(voxels.size()) * problem.until * runs / measurement.cpu_seconds;
+  const double off = problem.error(amounts_of(state));
   const auto lost = rdme::imbalance(state, network);
   measurement.right = lost.empty() && std::abs(off) < most_error;
-  measurement.check = lost.empty() ? fmt::format("A + B <-> C in equilibrium: to {:.1e}", std::abs(off)) : lost;
+  measurement.check = lost.empty() ? fmt::format("{}: to {:.1e}", problem.smooth_law, std::abs(off)) : lost;
   return measurement;
 }
 
@@ -91,10 +88,25 @@ Measurement smooth_binding(std::uint32_t n, double seconds) {
 
 std::vector<Workload> smooth_workloads() {
   std::vector<Workload> all;
-  all.push_back({"dimer", "langevin", "events per CPU second", langevin_dimers});
-  for (const std::uint32_t n : {10u, 30u})
-    all.push_back({fmt::format("RD-{}", n), "ode", "voxels a second each, per CPU s",
-                   [n](double seconds) { return smooth_binding(n, seconds); }});
+  const auto langevin = [&](const Problem& problem, double mean, double dt) {
+    all.push_back({problem.name, "langevin", "events per CPU second",
+                   [=](double seconds) { return with_langevin(problem, mean, dt, seconds); }});
+  };
+  const auto ode = [&](const Problem& problem) {
+    all.push_back({problem.name, "ode", "voxels a second each, per CPU s",
+                   [=](double seconds) { return with_solver(problem, seconds); }});
+  };
+  for (const std::uint32_t n : {10u, 30u, 60u}) {
+    langevin(diffusion_problem(n), 1000.0, 0.01);
+    ode(diffusion_problem(n));
+  }
+  for (const std::uint32_t n : {10u, 30u, 60u}) ode(binding_problem(n));
+  for (const int n : {10, 100}) {
+    langevin(ring_problem(n), 1000.0, 0.2);
+    ode(ring_problem(n));
+  }
+  langevin(dimer_problem(), 1e5 / 3.0, 0.2);
+  ode(dimer_problem());
   return all;
 }
 

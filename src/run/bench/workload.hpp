@@ -24,6 +24,7 @@ struct Workload {
 };
 
 std::vector<Workload> chemistry_workloads();
+std::vector<Workload> lattice_workloads(const std::string& name);  // D3-n and RD-n of any n; empty: no such name
 std::vector<Workload> geometry_workloads();
 std::vector<Workload> smooth_workloads();  // of chemistry
 std::vector<Workload> flow_workloads();

@@ -71,6 +71,9 @@ int run_bench(const Wish& wish) {
   for (auto& work : bench::smooth_workloads()) all.push_back(std::move(work));
   for (auto& work : bench::flow_workloads()) all.push_back(std::move(work));
   for (auto& work : bench::solid_workloads()) all.push_back(std::move(work));
+  for (const auto& name : wish.workloads)
+    if (std::ranges::find(all, name, &bench::Workload::name) == all.end())
+      for (auto& work : bench::lattice_workloads(name)) all.push_back(std::move(work));
   refuse_unknown(wish.workloads, &bench::Workload::name, "workload", all);
   refuse_unknown(wish.methods, &bench::Workload::method, "method", all);
   const double seconds = seconds_of(wish);
@@ -94,7 +97,7 @@ int run_bench(const Wish& wish) {
 void declare_bench(CLI::App& app, Desk& desk) {
   auto wish = std::make_shared<Wish>();
   auto* verb = app.add_subcommand("bench", "Measure how fast each method is on this machine");
-  verb->add_option("WORKLOAD", wish->workloads, "only these workloads [all]");
+  verb->add_option("WORKLOAD", wish->workloads, "only these workloads; D3-n and RD-n with any n from 3 to 200 [all]");
   verb->add_option("--method", wish->methods, "only this method; may be repeated")
       ->take_all()
       ->expected(1)

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double least_share = 0.1;             // of attempts that must be events
 constexpr std::size_t most_channels = 32;       // looked at one by one
-constexpr int most_order = 16;                  // of a reaction
 constexpr std::size_t near = 8192;              // voxels that the second cache holds
 constexpr std::uint64_t most_at_once = 1 << 20;  // attempts of one Poisson number, about
 
@@ -20,7 +19,7 @@ constexpr std::uint32_t of_numbers = 1, of_targets = 2, of_attempts = 3;
 
 // Mass action of whole molecules within a voxel.
 bool plain(const Network& network, const Reaction& reaction) {
-  return reaction.expression.empty() && !reaction.on_surface() && reaction.order <= most_order &&
+  return reaction.expression.empty() && !reaction.on_surface() &&
          std::ranges::all_of(reaction.reactants, [&](const auto& term) { return network.stochastic(term.species); });
 }
 
@@ -50,52 +49,76 @@ void SharedBounds::bind(const Voxels& voxels, State& state, const JumpTables& ta
   fastest_.assign(species_, 0.0);
   for (std::size_t at = 0; at < tables.leave_rate.size(); at += species_)
     for (std::size_t s = 0; s < species_; ++s) fastest_[s] = std::max(fastest_[s], tables.leave_rate[at + s]);
-  const auto [least, largest] = std::ranges::minmax_element(voxels.volume);
-  volume_factor_.clear();
-  for (int order = 0; voxels.size() > 0 && order <= most_order; ++order)
-    volume_factor_.push_back(std::max(std::pow(*least, 1 - order), std::pow(*largest, 1 - order)));
+  coefficients_.assign(network_.reactions().size(), {});
 }
 
-double SharedBounds::constant(std::size_t reaction) const {
-  const Reaction& law = network_.reactions()[reaction];
-  double product = law.rate_constant * volume_factor_.at(std::size_t(law.order));
-  for (const auto& term : law.reactants)
-    product *= falling_power(double(most_[std::size_t(term.species)]), term.count);
-  return product * (1 + 1e-12);
+SharedBounds::Channel SharedBounds::jumps_of(std::uint32_t species) const {
+  Channel channel{tables_->leave_rate.data() + species, species_};
+  channel.first = channel.species = species;
+  channel.first_scale = 1;
+  channel.first_shift = 0;
+  return channel;
 }
 
-// The material of vacant voxels is beyond all others.
-bool SharedBounds::runs(int reaction, std::size_t voxel) const {
-  const auto& in_material = network_.reactions()[std::size_t(reaction)].in_material;
-  const std::size_t material = voxels_->material[voxel];
-  return material < in_material.size() && in_material[material];
+SharedBounds::Channel SharedBounds::channel_of(int reaction) {
+  const Reaction& law = network_.reactions()[std::size_t(reaction)];
+  auto& coefficient = coefficients_[std::size_t(reaction)];
+  const auto of = [&](std::size_t i) {
+    const double volume = voxels_->volume[i];
+    const std::size_t material = voxels_->material[i];  // that of vacant voxels is beyond all others
+    const bool runs = material < law.in_material.size() && law.in_material[material];
+    return runs ? law.rate_constant * volume_factor(law.order, volume, 1 / volume) : 0.0;
+  };
+  for (std::size_t i = 0; coefficient.empty() && i < voxels_->size(); ++i) {
+    if (of(i) == of(0)) continue;
+    for (std::size_t j = 0; j < voxels_->size(); ++j) coefficient.push_back(of(j));
+  }
+  if (coefficient.empty()) coefficient.push_back(of(0));
+  Channel channel{coefficient.data(), coefficient.size() > 1 ? std::size_t{1} : 0};
+  channel.reaction = reaction;
+  channel.simple = law.order <= 2;
+  int found = 0;
+  for (const auto& term : law.reactants) {
+    for (int k = 0; k < term.count && channel.simple; ++k, ++found) {
+      (found == 0 ? channel.first : channel.second) = std::uint32_t(term.species);
+      (found == 0 ? channel.first_scale : channel.second_scale) = 1;
+      (found == 0 ? channel.first_shift : channel.second_shift) = -k;
+    }
+  }
+  return channel;
 }
 
 void SharedBounds::add_channels(Process process) {
   process_ = process;
-  jumping_.clear();
-  reacting_.clear();
+  channels_.clear();
   for (std::uint32_t s = 0; process != Process::reactions && s < species_; ++s)
-    if (tables_->moves(s)) jumping_.push_back(s);
+    if (tables_->moves(s)) channels_.push_back(jumps_of(s));
   for (std::size_t r = 0; process != Process::diffusion && r < network_.reactions().size(); ++r)
-    if (network_.reactions()[r].treatment() == Treatment::sampled) reacting_.push_back(int(r));
+    if (network_.reactions()[r].treatment() == Treatment::sampled) channels_.push_back(channel_of(int(r)));
+}
+
+double SharedBounds::bound(const Channel& channel) const {
+  if (channel.reaction < 0) return fastest_[channel.species] * double(most_[channel.species]);
+  double product = std::ranges::max(coefficients_[std::size_t(channel.reaction)]);
+  for (const auto& term : network_.reactions()[std::size_t(channel.reaction)].reactants)
+    product *= falling_power(double(most_[std::size_t(term.species)]), term.count);
+  return product * (1 + 1e-12);
 }
 
 void SharedBounds::sum_bounds() {
   below_.assign(1, 0.0);
-  for (const std::uint32_t s : jumping_) below_.push_back(below_.back() + fastest_[s] * double(most_[s]));
-  for (const int r : reacting_) below_.push_back(below_.back() + constant(std::size_t(r)));
+  for (const Channel& channel : channels_) below_.push_back(below_.back() + bound(channel));
+}
+
+double SharedBounds::rate(const Channel& channel, std::size_t voxel) const {
+  if (channel.simple) return channel.rate(state_->count.data() + voxel * species_, voxel);
+  return channel.coefficient[voxel * channel.stride] > 0.0 ? propensities_(channel.reaction, voxel) : 0.0;
 }
 
 double SharedBounds::rates() const {
   double sum = 0.0;
-  for (const std::uint32_t s : jumping_) {
-    for (std::size_t at = s; at < state_->count.size(); at += species_)
-      sum += tables_->leave_rate[at] * double(state_->count[at]);
-  }
-  for (const int r : reacting_)
-    for (std::size_t i = 0; i < voxels_->size(); ++i)
-      if (runs(r, i)) sum += propensities_(r, i);
+  for (const Channel& channel : channels_)
+    for (std::size_t i = 0; i < voxels_->size(); ++i) sum += rate(channel, i);
   return sum;
 }
 
@@ -142,12 +165,26 @@ double SharedBounds::advance(double dt, const base::RandomKey& key, std::uint64_
 std::uint64_t SharedBounds::attempts(std::uint64_t number, std::vector<std::int64_t>& events) {
   raised_ = false;
   const bool far = voxels_->size() > near;
+  const std::int64_t* const count = state_->count.data();
+  const double* const below = below_.data();
+  const std::size_t last = channels_.size() - 1, species = species_;
   for (std::uint64_t made = 0; made < number; made += batch) {
     const auto size = std::size_t(std::min<std::uint64_t>(number - made, batch));
     draw(size);
     if (far) fetch(size);
     for (std::size_t k = 0; k < size; ++k) {
-      attempt(voxel_[k], rest_[k], events);
+      std::size_t c = 0;
+      for (std::size_t other = 1; other <= last; ++other) c += rest_[k] >= below[other] ? 1U : 0U;
+      const Channel& channel = channels_[c];
+      const std::uint32_t voxel = voxel_[k];
+      const double rest = rest_[k] - below[c];
+      if (rest >= (channel.simple ? channel.rate(count + voxel * species, voxel) : rate(channel, voxel))) continue;
+      if (channel.reaction < 0) {
+        jump(voxel, channel.species);
+      } else {
+        react(voxel, channel.reaction);
+        ++events[std::size_t(channel.reaction)];
+      }
       if (!raised_) continue;
       tried_ += made + k + 1;
       return made + k + 1;
@@ -176,24 +213,8 @@ void SharedBounds::fetch(std::size_t size) const {
   for (std::size_t k = 0; k < size; ++k) {
     __builtin_prefetch(state_->count.data() + voxel_[k] * species_, 1);
     __builtin_prefetch(tables_->leave_rate.data() + voxel_[k] * species_);
-    if (!jumping_.empty() && tables_->of_species[jumping_[0]]) tables_->of_species[jumping_[0]]->prefetch(voxel_[k]);
+    if (const JumpTable* const table = tables_->of_species[channels_[0].species].get()) table->prefetch(voxel_[k]);
   }
-}
-
-void SharedBounds::attempt(std::uint32_t voxel, double rest, std::vector<std::int64_t>& events) {
-  std::size_t channel = 0;
-  for (std::size_t c = 1; c + 1 < below_.size(); ++c) channel += rest >= below_[c] ? 1U : 0U;
-  rest -= below_[channel];
-  if (channel < jumping_.size()) {
-    const std::uint32_t s = jumping_[channel];
-    const std::size_t at = voxel * species_ + s;
-    if (rest < tables_->leave_rate[at] * double(state_->count[at])) jump(voxel, s);
-    return;
-  }
-  const int reaction = reacting_[channel - jumping_.size()];
-  if (!runs(reaction, voxel) || rest >= propensities_(reaction, voxel)) return;
-  react(voxel, reaction);
-  ++events[std::size_t(reaction)];
 }
 
 void SharedBounds::jump(std::uint32_t voxel, std::uint32_t species) {

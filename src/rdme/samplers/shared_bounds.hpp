@@ -33,15 +33,32 @@ class SharedBounds {
  private:
   static constexpr std::size_t batch = 64;  // attempts
 
+  // Jumps of a species, or a reaction: at c_i u v in voxel i, where u and v are each a number, one less, or 1.
+  struct Channel {
+    const double* coefficient = nullptr;  // [1/s] c_i at [i * stride]
+    std::size_t stride = 0;
+    std::uint32_t first = 0, second = 0;  // species
+    double first_scale = 0, first_shift = 1, second_scale = 0, second_shift = 1;
+    int reaction = -1;          // -1: jumps
+    std::uint32_t species = 0;  // that jumps
+    bool simple = true;         // false: a reaction of more than two molecules, by its propensity
+
+    double rate(const std::int64_t* n, std::size_t voxel) const {  // [1/s] by the numbers of the voxel
+      return coefficient[voxel * stride] * ((double(n[first]) * first_scale + first_shift) *
+                                            (double(n[second]) * second_scale + second_shift));
+    }
+  };
+
   void add_channels(Process process);
+  Channel jumps_of(std::uint32_t species) const;
+  Channel channel_of(int reaction);
+  double rate(const Channel& channel, std::size_t voxel) const;
   double rates() const;  // [1/s] of all channels of all voxels, as they stand
+  double bound(const Channel& channel) const;
   void sum_bounds();
-  double constant(std::size_t reaction) const;
-  bool runs(int reaction, std::size_t voxel) const;
   std::uint64_t attempts(std::uint64_t number, std::vector<std::int64_t>& events);
   void draw(std::size_t size);
   void fetch(std::size_t size) const;
-  void attempt(std::uint32_t voxel, double rest, std::vector<std::int64_t>& events);
   void jump(std::uint32_t voxel, std::uint32_t species);
   void react(std::uint32_t voxel, int reaction);
   void arrive(std::size_t at, std::uint32_t species);  // a molecule more at this place of the state
@@ -54,12 +71,11 @@ class SharedBounds {
   const JumpTables* tables_ = nullptr;
   std::size_t species_;
   std::vector<double> fastest_;        // [1/s] by species: largest rate of leaving a voxel
-  std::vector<double> volume_factor_;  // by order of reactions 0, 1, ...: largest V^(1-m) of a voxel
   std::vector<std::int64_t> most_;     // by species: bound of the number in a voxel
 
-  std::vector<std::uint32_t> jumping_;  // species: the first channels
-  std::vector<int> reacting_;           // reactions: the other channels
-  std::vector<double> below_;           // [1/s] sum of the bounds of the channels before; the last is that of all
+  std::vector<Channel> channels_;
+  std::vector<double> below_;  // [1/s] sum of the bounds of the channels before; the last is that of all
+  std::vector<std::vector<double>> coefficients_;  // of reactions: one for all voxels, or by voxel
   Process process_ = Process::both;
   double expected_ = 0;                 // share of attempts that were events when the bounds were made
   std::uint64_t tried_ = 0, happened_ = 0;  // since then

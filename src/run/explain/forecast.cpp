@@ -58,20 +58,24 @@ void plan_flow(const scene::Scene& scene, const coupling::Numbers& numbers, Fore
   forecast.flow_steps = forecast.flow_time / interval * std::ceil(interval / numbers.flow.step);
 }
 
+// Every realisation computes its own flow, and keeps nothing of it for others.
+bool own_flow(const scene::Scene& scene) { return scene.effects.thermal_noise || scene::acts_back(scene); }
+
 // Intervals whose voxels are kept for all realisations.
 double kept_intervals(const scene::Scene& scene, const coupling::Numbers& numbers, const Forecast& forecast) {
-  if (scene.species.empty() || scene.effects.thermal_noise) return 0.0;
+  if (scene.species.empty() || own_flow(scene)) return 0.0;
   const double moving = forecast.flow_time > 0.0 ? forecast.flow_time / coupling::flow_interval(scene, numbers) : 0.0;
   return std::ceil(moving * (1.0 - 1e-9)) + (forecast.steady ? 2.0 : 1.0);
 }
 
-// Seconds of the whole, from its beginning. The first interval may take longer than others and comes once.
-double at_that_pace(const std::vector<Moment>& moments, double told) {
-  if (moments.empty()) return told;
+// Seconds of a run that is `whole` times as long as what was played, from its beginning. The first interval may take
+// longer than others and comes once.
+double at_that_pace(const std::vector<Moment>& moments, double told, double whole) {
+  if (moments.empty()) return told * whole;
   const auto &first = moments.front(), &last = moments.back();
-  if (!(last.fraction > first.fraction)) return last.fraction > 0.0 ? last.seconds / last.fraction : told;
+  if (!(last.fraction > first.fraction)) return last.fraction > 0.0 ? whole * last.seconds / last.fraction : told;
   const double pace = (last.seconds - first.seconds) / (last.fraction - first.fraction);
-  return first.seconds + pace * (1.0 - first.fraction);
+  return first.seconds + pace * (whole - first.fraction);
 }
 
 void add_times(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts* flow,
@@ -80,7 +84,11 @@ void add_times(const scene::Scene& scene, const coupling::Numbers& numbers, cons
   const auto course = rehearsal.prepared ? extrapolate(rehearsal, until_even(scene, numbers) / played) : Course{};
   if (anything_random(scene)) forecast.realisation_seconds = course.each / played;
   forecast.shared_seconds = rehearsal.prepare_seconds;
-  if (play.kind != Kind::whole) forecast.shared_seconds = flow_seconds(scene, numbers, *flow, forecast);
+  if (!rehearsal.prepared || play.kind == Kind::shortened)
+    forecast.shared_seconds = at_that_pace(rehearsal.preparing, rehearsal.prepare_seconds, 1.0 / played);
+  const bool chemistry_too = play.kind == Kind::shortened && !scene.species.empty() && !anything_random(scene);
+  if (play.kind != Kind::whole && !chemistry_too)
+    forecast.shared_seconds = flow_seconds(scene, numbers, *flow, forecast);
   const double moving = play.kind == Kind::carried ? kept_intervals(scene, numbers, forecast) - 1.0 : 1.0;
   forecast.once_seconds = moving * course.moving_once + course.standing_once;
   forecast.cpu_seconds = forecast.start_seconds + forecast.shared_seconds + forecast.once_seconds +
@@ -111,7 +119,8 @@ void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, con
   };
   double more = 1.0;  // intervals kept over intervals rehearsed
   if (play.kind == Kind::carried) more = kept_intervals(scene, numbers, forecast) / carried_intervals;
-  if (play.kind == Kind::shortened) more = scene.run.until / play.scene.run.until;
+  if (play.kind == Kind::shortened && kept_intervals(scene, numbers, forecast) > 0.0)
+    more = scene.run.until / play.scene.run.until;
   const double recorded = recorder_bytes(layout, false);
   Parts parts{{"program and libraries", double(idle_bytes)},
               {"particles, network, records of their places", double(rehearsal.experiment_bytes)},
@@ -157,7 +166,6 @@ Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbe
     rehearsal = rehearse(play.scene, make, budget);
   }
   forecast.how = told(play.kind);
-  if (!rehearsal.prepared) rehearsal.prepare_seconds = at_that_pace(rehearsal.preparing, rehearsal.prepare_seconds);
   add_times(scene, numbers, costs, play, rehearsal, forecast);
   add_memory(scene, numbers, play, rehearsal, make(scene)->layout(), idle.bytes, forecast);
   return forecast;

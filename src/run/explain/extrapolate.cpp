@@ -67,7 +67,7 @@ std::optional<Course> by_activity(const Rehearsal& rehearsal) {
   return course;
 }
 
-constexpr double enough_to_see_a_slope = 0.05;  // of the whole
+constexpr double enough_to_see_a_slope = 0.15;  // of the whole; less would tell chance
 constexpr double most_change = 4.0;             // of the pace
 
 }  // namespace

@@ -161,7 +161,7 @@ Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbe
   plan_flow(scene, numbers, forecast);
   auto play = choose_play(scene, numbers, costs, budget);
   auto rehearsal = rehearse(play.scene, make, budget);
-  if (!rehearsal.prepared && costs) {  // slower than it seemed
+  if (!rehearsal.prepared && costs && anything_random(scene)) {  // slower than it seemed, and the best is to come
     play = choose_play(scene, numbers, costs, 0.0);
     rehearsal = rehearse(play.scene, make, budget);
   }

@@ -45,18 +45,6 @@ std::string contents(const std::filesystem::path& path) {
 
 }  // namespace
 
-Gnuplot::Gnuplot() {
-  auto name = (std::filesystem::temp_directory_path() / "shmoo-plot-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
-    throw base::RunError(fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
-  folder_ = name;
-}
-
-Gnuplot::~Gnuplot() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
-
 void Gnuplot::table(const std::string& name, const std::vector<std::vector<double>>& columns) const {
   std::string text;
   for (std::size_t row = 0; row < columns.front().size(); ++row) {
@@ -72,10 +60,10 @@ void Gnuplot::table(const std::string& name, const std::vector<std::vector<doubl
 }
 
 void Gnuplot::bytes(const std::string& name, const std::string& data) const {
-  std::ofstream out(folder_ / name, std::ios::binary);
+  std::ofstream out(folder_.path() / name, std::ios::binary);
   out << data;
   out.close();
-  if (!out) throw base::RunError(fmt::format("cannot write {}", (folder_ / name).string()));
+  if (!out) throw base::RunError(fmt::format("cannot write {}", (folder_.path() / name).string()));
 }
 
 void Gnuplot::draw(const std::string& script, int width, int height, const std::filesystem::path& png) const {
@@ -83,14 +71,14 @@ void Gnuplot::draw(const std::string& script, int width, int height, const std::
         fmt::format("set encoding utf8\nset terminal pngcairo size {},{} font 'DejaVu Sans,11' noenhanced\n"
                     "set output 'picture.png'\n{}\nset output\n",
                     width, height, script));
-  const int status = call_gnuplot(folder_);
+  const int status = call_gnuplot(folder_.path());
   if (status == 127)
     throw base::RunError("plots need gnuplot, which is not installed; install the package gnuplot-nox");
-  const auto picture = folder_ / "picture.png";
+  const auto picture = folder_.path() / "picture.png";
   std::error_code error;
   if (status != 0 || !std::filesystem::exists(picture) || std::filesystem::file_size(picture, error) == 0) {
     throw base::RunError(
-        fmt::format("gnuplot could not draw {}: {}", png.string(), contents(folder_ / "complaints.txt")));
+        fmt::format("gnuplot could not draw {}: {}", png.string(), contents(folder_.path() / "complaints.txt")));
   }
   std::filesystem::copy_file(picture, png, std::filesystem::copy_options::overwrite_existing, error);
   if (error) throw base::RunError(fmt::format("cannot write {}: {}", png.string(), error.message()));

@@ -4,15 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "run/scratch_folder.hpp"
+
 namespace shmoo::run {
 
 class Gnuplot {
  public:
-  Gnuplot();   // makes the folder
-  ~Gnuplot();  // removes it
-  Gnuplot(const Gnuplot&) = delete;
-  Gnuplot& operator=(const Gnuplot&) = delete;
-
   // A table of numbers, columns of equal length; NaN leaves a gap. The script reads it as 'NAME'.
   void table(const std::string& name, const std::vector<std::vector<double>>& columns) const;
   void bytes(const std::string& name, const std::string& data) const;
@@ -22,7 +19,7 @@ class Gnuplot {
   void draw(const std::string& script, int width, int height, const std::filesystem::path& png) const;
 
  private:
-  std::filesystem::path folder_;
+  ScratchFolder folder_{"shmoo-plot"};
 };
 
 // Any text as a gnuplot string between single quotes, in which nothing is substituted: a quote becomes a typographic

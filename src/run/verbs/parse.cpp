@@ -91,8 +91,8 @@ int command_line(int argc, const char* const* argv, const Workshop& workshop) {
                          fmt::format("shmoo {} ({}, {})", build().version, build().revision, build().compiler));
     app.require_subcommand(1);
     for (const auto declare :
-         {declare_run, declare_check, declare_explain, declare_info, declare_merge, declare_plot, declare_import,
-          declare_export, declare_schema, declare_study, declare_verify, declare_bench})
+         {declare_run, declare_check, declare_explain, declare_info, declare_merge, declare_plot, declare_report,
+          declare_import, declare_export, declare_schema, declare_study, declare_verify, declare_bench})
       declare(app, desk);
     return parse_and_call(app, desk, argc, argv);
   } catch (const base::InputError& error) {

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "run/export/export.hpp"
-#include "run/plot/plot.hpp"
+#include "run/plot/gallery.hpp"
 #include "run/verbs/verbs.hpp"
 
 namespace shmoo::run {
@@ -42,58 +42,13 @@ std::vector<std::size_t> times_of(const Wish& wish, const ResultFile& result) {
   return all;
 }
 
-std::string safe(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '/' || c == '\\' || c == ' '; }, '_');
-  return name;
-}
-
-// One picture: what draws it, and its name in a folder.
-struct Picture {
-  std::string name;
-  std::function<void(const std::filesystem::path&)> draw;
-};
-
-std::vector<Picture> pictures_of(const Wish& wish, const ResultFile& result) {
-  std::vector<Picture> pictures;
-  const auto times = times_of(wish, result);
-  const auto suffix = [&](std::size_t t) { return times.size() > 1 ? fmt::format("_{:05}", t) : std::string(); };
-  const auto add_field = [&](const Entry& field) {
-    for (const auto t : times) {
-      pictures.push_back({fmt::format("field_{}{}{}.png", safe(field.name), wish.around ? "_around" : "", suffix(t)),
-                          [&, t](const auto& png) {
-                            if (wish.around)
-                              plot_around(result, field, t, png);
-                            else
-                              plot_field(result, field, t, {wish.arrows}, png);
-                          }});
-    }
-  };
-  const auto add_observable = [&](const Entry& observable) {
-    // A course shows all times at once.
-    const auto records = observable.shape.empty() ? std::vector<std::size_t>{times.back()} : times;
-    for (const auto t : records) {
-      const auto name = fmt::format("observable_{}{}.png", safe(observable.name), records.size() > 1 ? suffix(t) : "");
-      pictures.push_back({name, [&, t](const auto& png) { plot_observable(result, observable, t, png); }});
-    }
-  };
-  if (!wish.field.empty()) add_field(result.field(wish.field));
-  if (!wish.observable.empty()) add_observable(result.observable(wish.observable));
-  if (!wish.field.empty() || !wish.observable.empty()) return pictures;
-  for (const auto& field : result.fields) {
-    const bool of_particles = !field.shape.empty() && field.shape[0] == result.material.size();
-    if (of_particles && field.name != "position" && field.name != "volume") add_field(field);
-  }
-  for (const auto& observable : result.observables) add_observable(observable);
-  return pictures;
-}
-
 void plot_result(const Wish& wish) {
   const ResultFile result(wish.result);
   if (result.done == 0)
     throw base::InputError(fmt::format("{} holds no finished realisation yet (status {})", wish.result, result.status));
   if (wish.around && wish.field.empty()) throw base::InputError("--around needs --field NAME");
-  const auto pictures = pictures_of(wish, result);
+  const auto pictures =
+      gallery(result, {wish.field, wish.observable, times_of(wish, result), wish.arrows, wish.around});
   if (pictures.empty()) throw base::InputError(fmt::format("{} holds neither fields nor observables", wish.result));
   if (wish.output.ends_with(".png")) {
     if (pictures.size() > 1) {

@@ -22,6 +22,7 @@ void declare_explain(CLI::App& app, Desk& desk);
 void declare_info(CLI::App& app, Desk& desk);
 void declare_merge(CLI::App& app, Desk& desk);
 void declare_plot(CLI::App& app, Desk& desk);
+void declare_report(CLI::App& app, Desk& desk);
 void declare_import(CLI::App& app, Desk& desk);
 void declare_export(CLI::App& app, Desk& desk);
 void declare_schema(CLI::App& app, Desk& desk);

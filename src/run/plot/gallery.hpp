@@ -16,8 +16,8 @@ struct Picture {
 };
 
 struct GalleryChoice {
-  std::string field, observable;   // empty, both: everything but places and volumes
-  std::vector<std::size_t> times;  // records; not empty
+  std::string field{}, observable{};  // both empty: everything but places and volumes
+  std::vector<std::size_t> times{};   // records; not empty
   bool arrows = false, around = false;
 };
 

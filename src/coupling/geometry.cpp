@@ -198,11 +198,12 @@ rdme::Voxels Geometry<D>::voxels(const Frame<D>& frame, const std::vector<bool>&
   return voxels;
 }
 
-// Whether the jumps of a habitat are written down. They need not be where particles move on, no voxel is vacant, nothing
-// is carried, and molecules are all that jumps.
+// Whether the jumps of a habitat are written down. They need not be where particles move on, no voxel is vacant,
+// nothing is carried, and molecules are all that jumps.
 template <int D>
 bool Geometry<D>::listed(std::size_t habitat, const Frame<D>& frame, const std::vector<bool>& sampled) const {
-  if (frame.steady || !frame.vacant.empty() || !frame.drift.empty() || !rdme::can_stay_unlisted(habitats_[habitat])) return true;
+  if (frame.steady || !frame.vacant.empty() || !frame.drift.empty() || !rdme::can_stay_unlisted(habitats_[habitat]))
+    return true;
   bool any = !scene_.inflows.empty();
   for (std::size_t s = 0; s < habitat_of_species_.size(); ++s)
     any = any || (habitat_of_species_[s] == int(habitat) && (s >= sampled.size() || !sampled[s]));

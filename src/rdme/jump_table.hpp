@@ -77,9 +77,9 @@ struct JumpTables {
   // Null: unlisted, or the species is deterministic, or neither jumps nor leaves anywhere.
   std::vector<std::shared_ptr<const JumpTable>> of_species;
   std::vector<std::shared_ptr<const UnlistedJumps>> unlisted;  // by species; null where there are rows, or no jumps
-  std::vector<double> uniform_rate;  // [1/s] by species: moves of one molecule, Rows::uniform
-  std::vector<double> leave_rate;    // [1/s] per molecule, jumps and exit, entry [voxel * species + s]
-  std::vector<double> entry_rate;    // [molecules/s], the same shape; empty where nothing enters
+  std::vector<double> uniform_rate;                            // [1/s] by species: moves of one molecule, Rows::uniform
+  std::vector<double> leave_rate;  // [1/s] per molecule, jumps and exit, entry [voxel * species + s]
+  std::vector<double> entry_rate;  // [molecules/s], the same shape; empty where nothing enters
 
   bool moves(std::size_t s) const { return of_species[s] || unlisted[s]; }
 

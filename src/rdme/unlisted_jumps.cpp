@@ -162,8 +162,8 @@ class ByRejection final : public UnlistedJumps {
     keep(c, sum, most);
   }
 
-  // From V_j F_ij to couplings: with s_j at its largest nearby, so that some jumps fail, or where that would be many, one
-  // by one.
+  // From V_j F_ij to couplings: with s_j at its largest nearby, so that some jumps fail, or where that would be many,
+  // one by one.
   void bound(std::size_t c) {
     double largest = 0.0;
     for (const std::uint32_t p : near_of(c)) largest = std::max(largest, place_[p].scale);

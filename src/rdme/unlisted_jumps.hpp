@@ -1,8 +1,8 @@
 #pragma once
 // Jumps by kernel weights that are not written down: of a voxel only a bound of the sum of its couplings is known, and
 // where a molecule jumps is found when it does, by rejection; at the bound some jumps fail (thinning: Lewis and Shedler
-// 1979), so that the law is exact. Where few molecules jump before the particles move on, this is much cheaper than rows
-// of weights. The couplings are those of kernel_graph.hpp.
+// 1979), so that the law is exact. Where few molecules jump before the particles move on, this is much cheaper than
+// rows of weights. The couplings are those of kernel_graph.hpp.
 #include <memory>
 #include <span>
 #include <vector>

@@ -58,9 +58,9 @@ struct Voxels {
   std::vector<std::array<double, 3>> position;  // [m]
   std::vector<JumpGraph> graphs;
   std::vector<std::shared_ptr<const UnlistedJumps>> unlisted;  // by graph, that is then empty; null: it is written down
-  std::vector<int> graph_of_species;  // index into graphs; -1: the species does not move
-  std::vector<Exchange> exchanges;    // ascending by (voxel, species)
-  std::vector<Surface> surfaces;      // of surface reactions
+  std::vector<int> graph_of_species;                           // index into graphs; -1: the species does not move
+  std::vector<Exchange> exchanges;                             // ascending by (voxel, species)
+  std::vector<Surface> surfaces;                               // of surface reactions
   std::size_t size() const { return volume.size(); }
   const Surface* surface(std::array<int, 2> materials) const {  // null: none such
     const auto found = std::ranges::find(surfaces, materials, &Surface::materials);

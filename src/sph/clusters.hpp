@@ -1,10 +1,10 @@
 #pragma once
 // Particles in clusters of eight that stand close together, and for each cluster the places within a cutoff of it: its
-// particles lie in the lanes of a vector and meet their partners one by one (Pall & Hess 2013, "A flexible algorithm for
-// calculating pair interactions on SIMD architectures"). The first places are those of the clusters, the last cluster of
-// a column filled up with copies of its last particle; then come the images of particles beyond sides, shifted where the
-// axis is periodic and mirrored where it is not. Coordinates are whole multiples of a tiny length, so that both views of
-// a pair are opposite to the bit.
+// particles lie in the lanes of a vector and meet their partners one by one (Pall & Hess 2013, "A flexible algorithm
+// for calculating pair interactions on SIMD architectures"). The first places are those of the clusters, the last
+// cluster of a column filled up with copies of its last particle; then come the images of particles beyond sides,
+// shifted where the axis is periodic and mirrored where it is not. Coordinates are whole multiples of a tiny length, so
+// that both views of a pair are opposite to the bit.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -27,7 +27,7 @@ class Clusters {
   Clusters(std::span<const Vec> positions, const base::Box<D>& box, double cutoff);
 
   std::size_t particles() const { return place_.size(); }
-  std::size_t size() const { return count_.size(); }  // clusters
+  std::size_t size() const { return count_.size(); }                        // clusters
   std::size_t count(std::size_t cluster) const { return count_[cluster]; }  // its particles, the first of its places
   std::size_t places() const { return particle_.size(); }
   std::uint32_t particle(std::size_t place) const { return particle_[place]; }
@@ -59,7 +59,7 @@ class Clusters {
   double cutoff_;
   Vec origin_ = Vec::Zero();                     // [m] of coordinates
   Vec begin_ = Vec::Zero(), end_ = Vec::Zero();  // [m] of the box, in coordinates
-  double grain_ = 0;                              // [m] 1.5 2^52 times the length that coordinates are multiples of
+  double grain_ = 0;                             // [m] 1.5 2^52 times the length that coordinates are multiples of
   ColumnGrid<D> grid_;
   Columns<D> columns_, image_columns_;
   std::vector<Vec> built_at_, anchor_;  // [m] position at the beginning, and its coordinates

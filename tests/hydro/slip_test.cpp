@@ -1,6 +1,7 @@
 // Slip sides are mirrors: nothing rubs on them and nothing passes.
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "scenes.hpp"
 
 namespace shmoo::hydro::testing {
@@ -64,6 +65,14 @@ TEST(Slip, AMirroredBoxIsHalfOfASymmetricOne) {
   auto first = make_fluid<2>(whole), second = make_fluid<2>(half);
   for (int k = 0; k < 100; ++k) first.step(), second.step();
   EXPECT_NEAR(second.kinetic_energy() / first.kinetic_energy(), 0.5, 1e-6);
+}
+
+TEST(Slip, TheImplicitViscousStepIsNeitherChosenNorTaken) {
+  auto scene = mirrored_scene(box_scene(2, 1.0, 0.05, 100.0), 1);
+  scene.flow.reference_speed = 0.01;
+  EXPECT_NO_THROW(make_fluid<2>(scene).step());
+  scene.numerics.viscous_step = scene::ViscousStep::implicit_step;
+  EXPECT_THROW(make_fluid<2>(scene), base::InputError);
 }
 
 TEST(Slip, NothingPasses) {

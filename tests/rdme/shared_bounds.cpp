@@ -1,5 +1,5 @@
-// Exact events by bounds that all voxels share: the same laws as everywhere, also while bounds rise, where voxels cease to
-// be alike and where they become so.
+// Exact events by bounds that all voxels share: the same laws as everywhere, also while bounds rise, where voxels cease
+// to be alike and where they become so.
 #include "trial.hpp"
 
 namespace shmoo::rdme {
@@ -26,8 +26,8 @@ TEST(SharedBounds, FollowAPulseThatSpreads) {
   expect_mean(beyond, 50.0);
 }
 
-// Births raise the bounds time and again: Yule's process, geometric in number (mean e^t, variance e^t (e^t - 1)), in each
-// of many voxels.
+// Births raise the bounds time and again: Yule's process, geometric in number (mean e^t, variance e^t (e^t - 1)), in
+// each of many voxels.
 TEST(SharedBounds, RiseWithBirths) {
   scene::Scene scene = water();
   add_species(scene, "A", 0.0);
@@ -78,7 +78,8 @@ TEST(SharedBounds, TakeVolumesAndMaterialsAsTheyAre) {
   plain.begin();
   plain.run(1.5, 1.5);
   const Sample wanted = plain.sample(0), found = mean_in(0.7);
-  EXPECT_NEAR(found.mean(), wanted.mean(), errors_allowed * std::hypot(found.standard_error(), wanted.standard_error()));
+  EXPECT_NEAR(found.mean(), wanted.mean(),
+              errors_allowed * std::hypot(found.standard_error(), wanted.standard_error()));
   EXPECT_NEAR(found.variance(), wanted.variance(),
               errors_allowed * std::hypot(found.variance_error(), wanted.variance_error()));
 }

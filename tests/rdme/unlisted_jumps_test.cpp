@@ -1,5 +1,5 @@
-// Jumps that are not written down obey the couplings that are: the same sums and rows, targets in proportion to them, and
-// under every sampler that takes them the same law.
+// Jumps that are not written down obey the couplings that are: the same sums and rows, targets in proportion to them,
+// and under every sampler that takes them the same law.
 #include "rdme/unlisted_jumps.hpp"
 
 #include <numeric>
@@ -112,9 +112,9 @@ class UnlistedSampling : public testing::TestWithParam<scene::Sampler> {
       voxels.graphs[0] = habitat_graph<2>(cloud.places(), cloud.box, kernel, 1.0, cloud.habitat).graph;
       return voxels;
     }
-    voxels.unlisted = {make_unlisted_jumps<2>(
-        cloud.places(), std::make_shared<const sph::Clusters<2>>(cloud.position, cloud.box, 0.45), kernel,
-        cloud.habitat)};
+    voxels.unlisted = {make_unlisted_jumps<2>(cloud.places(),
+                                              std::make_shared<const sph::Clusters<2>>(cloud.position, cloud.box, 0.45),
+                                              kernel, cloud.habitat)};
     return voxels;
   }
   // Mean numbers from n molecules in voxel 14, by the Taylor series of the generator's exponential.

@@ -1,5 +1,5 @@
-// Clusters list every pair within reach wherever particles have moved to, images beyond sides among them, and both views
-// of a pair are opposite to the bit.
+// Clusters list every pair within reach wherever particles have moved to, images beyond sides among them, and both
+// views of a pair are opposite to the bit.
 #include "sph/clusters.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ constexpr double reach = 0.17;
 
 template <int D>
 struct Pairs {
-  std::multimap<std::pair<std::uint32_t, std::uint32_t>, base::Vec<D>> of;  // x_ij [m] of particles and images of the second
+  std::multimap<std::pair<std::uint32_t, std::uint32_t>, base::Vec<D>>
+      of;  // x_ij [m] of particles and images of the second
 };
 
 template <int D>

@@ -1,7 +1,7 @@
 #pragma once
 // The reactions of all voxels over a part of a splitting step: groups of voxels shared out among threads, each with
-// reactions of its own kind of object (`Reactions`: voxel_reactions.hpp or leaping_reactions.hpp). The bits are the same
-// for any number of threads.
+// reactions of its own kind of object (`Reactions`: voxel_reactions.hpp or leaping_reactions.hpp). The bits are the
+// same for any number of threads.
 #include <functional>
 #include <vector>
 

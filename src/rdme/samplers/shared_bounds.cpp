@@ -9,9 +9,9 @@
 namespace shmoo::rdme {
 namespace {
 
-constexpr double least_share = 0.1;             // of attempts that must be events
-constexpr std::size_t most_channels = 32;       // looked at one by one
-constexpr std::size_t near = 8192;              // voxels that the second cache holds
+constexpr double least_share = 0.1;              // of attempts that must be events
+constexpr std::size_t most_channels = 32;        // looked at one by one
+constexpr std::size_t near = 8192;               // voxels that the second cache holds
 constexpr std::uint64_t most_at_once = 1 << 20;  // attempts of one Poisson number, about
 
 // Places of the stream of exact events; 0 is taken by groups of voxels, 4 by where their molecules jump.
@@ -36,10 +36,10 @@ std::int64_t with_room(std::int64_t number) { return number + number / 8 + 1; }
 SharedBounds::SharedBounds(const Network& network, Propensities& propensities)
     : network_(network), propensities_(propensities), species_(network.species()) {
   const auto sampled = [](const Reaction& reaction) { return reaction.treatment() == Treatment::sampled; };
-  possible_ = species_ > 0 && network.varying().empty() &&
-              std::ranges::all_of(network.reactions(),
-                                  [&](const Reaction& r) { return !sampled(r) || plain(network, r); }) &&
-              species_ + std::size_t(std::ranges::count_if(network.reactions(), sampled)) <= most_channels;
+  possible_ =
+      species_ > 0 && network.varying().empty() &&
+      std::ranges::all_of(network.reactions(), [&](const Reaction& r) { return !sampled(r) || plain(network, r); }) &&
+      species_ + std::size_t(std::ranges::count_if(network.reactions(), sampled)) <= most_channels;
 }
 
 void SharedBounds::bind(const Voxels& voxels, State& state, const JumpTables& tables) {
@@ -219,8 +219,8 @@ void SharedBounds::fetch(std::size_t size) const {
 
 void SharedBounds::jump(std::uint32_t voxel, std::uint32_t species) {
   const JumpTable* const table = tables_->of_species[species].get();
-  const std::uint32_t target = table ? table->target(voxel, targets_.take(1)[0])
-                                     : tables_->unlisted[species]->target(voxel, targets_);
+  const std::uint32_t target =
+      table ? table->target(voxel, targets_.take(1)[0]) : tables_->unlisted[species]->target(voxel, targets_);
   if (target == voxel) return;  // it fails
   --state_->count[voxel * species_ + species];
   ++happened_;

@@ -1,9 +1,10 @@
 #pragma once
-// Exact events by rejection from bounds that all voxels share: of each species the largest number in any voxel bounds its
-// jumps and its reactions. Attempts come at the sum of all bounds, so how many there are in a time is a Poisson number,
-// and each names a voxel and a channel by one random number; it is an event with the probability of the channel's rate
-// over its bound (thinning: Lewis and Shedler 1979; for reactions Thanh, Priami, Zunino 2014, J. Chem. Phys. 141, 134116).
-// Nothing is stored but numbers of molecules, so an event changes nothing else. This pays where voxels are much alike.
+// Exact events by rejection from bounds that all voxels share: of each species the largest number in any voxel bounds
+// its jumps and its reactions. Attempts come at the sum of all bounds, so how many there are in a time is a Poisson
+// number, and each names a voxel and a channel by one random number; it is an event with the probability of the
+// channel's rate over its bound (thinning: Lewis and Shedler 1979; for reactions Thanh, Priami, Zunino 2014, J. Chem.
+// Phys. 141, 134116). Nothing is stored but numbers of molecules, so an event changes nothing else. This pays where
+// voxels are much alike.
 //
 // Where an event passes a bound, the bound is raised: of K attempts in a time T the k-th comes at T Beta(k, K + 1 - k),
 // and from there on attempts are drawn anew.
@@ -26,8 +27,8 @@ class SharedBounds {
   // Makes bounds from the numbers now. Are enough attempts events for this to be the faster way?
   bool pays(Process process);
 
-  // Events of dt [s], counted by reaction in `events`, and jumps in the state. Returns what is left of dt where this has
-  // ceased to pay.
+  // Events of dt [s], counted by reaction in `events`, and jumps in the state. Returns what is left of dt where this
+  // has ceased to pay.
   double advance(double dt, const base::RandomKey& key, std::uint64_t step, std::vector<std::int64_t>& events);
 
  private:
@@ -44,8 +45,8 @@ class SharedBounds {
     bool simple = true;         // false: a reaction of more than two molecules, by its propensity
 
     double rate(const std::int64_t* n, std::size_t voxel) const {  // [1/s] by the numbers of the voxel
-      return coefficient[voxel * stride] * ((double(n[first]) * first_scale + first_shift) *
-                                            (double(n[second]) * second_scale + second_shift));
+      return coefficient[voxel * stride] *
+             ((double(n[first]) * first_scale + first_shift) * (double(n[second]) * second_scale + second_shift));
     }
   };
 
@@ -70,16 +71,16 @@ class SharedBounds {
   State* state_ = nullptr;
   const JumpTables* tables_ = nullptr;
   std::size_t species_;
-  std::vector<double> fastest_;        // [1/s] by species: largest rate of leaving a voxel
-  std::vector<std::int64_t> most_;     // by species: bound of the number in a voxel
+  std::vector<double> fastest_;     // [1/s] by species: largest rate of leaving a voxel
+  std::vector<std::int64_t> most_;  // by species: bound of the number in a voxel
 
   std::vector<Channel> channels_;
   std::vector<double> below_;  // [1/s] sum of the bounds of the channels before; the last is that of all
   std::vector<std::vector<double>> coefficients_;  // of reactions: one for all voxels, or by voxel
   Process process_ = Process::both;
-  double expected_ = 0;                 // share of attempts that were events when the bounds were made
+  double expected_ = 0;                     // share of attempts that were events when the bounds were made
   std::uint64_t tried_ = 0, happened_ = 0;  // since then
-  bool raised_ = false;                 // a bound, by the event at hand
+  bool raised_ = false;                     // a bound, by the event at hand
 
   base::RandomSequence random_{{}, base::Stream::test};
   WordStream targets_;

@@ -116,8 +116,8 @@ void UniformisedDiffusion::wander(const JumpTables& tables, double dt, const Wal
   moves_.set(further(chances_[walk.species].resident, 0));
   share_groups(walk.voxels, threads_, [&](std::uint32_t begin, std::uint32_t end, std::size_t thread) {
     Lane& lane = lanes_[thread];
-    lane.words.open({walk.address->key, base::Stream::diffusion_rounds, walk.address->step, begin,
-                     walk.stride + walk.species});
+    lane.words.open(
+        {walk.address->key, base::Stream::diffusion_rounds, walk.address->step, begin, walk.stride + walk.species});
     Wanderers wanderers(tables, walk.species, moves_, lane.words);
     for (std::uint32_t i = begin; i < end; ++i)
       lane.jumps += wanderers.move(i, std::exchange(active_[i], 0), lane.resting.data());

@@ -181,9 +181,9 @@ Measurement on_moving_particles(scene::Sampler method, double seconds) {
 std::vector<Workload> geometry_workloads() {
   std::vector<Workload> all;
   all.push_back({"MinL", "exact-composition-rejection", "events per CPU second", min_on_lattice});
-  for (const auto& [name, method] : {std::pair{"exact-composition-rejection", scene::Sampler::composition_rejection},
-                                     std::pair{"split", scene::Sampler::split},
-                                     std::pair{"tau", scene::Sampler::tau_leaping}})
+  for (const auto& [name, method] :
+       {std::pair{"exact-composition-rejection", scene::Sampler::composition_rejection},
+        std::pair{"split", scene::Sampler::split}, std::pair{"tau", scene::Sampler::tau_leaping}})
     all.push_back({"D-sph", name, "particle-steps per CPU second",
                    [method = method](double seconds) { return on_moving_particles(method, seconds); }});
   return all;

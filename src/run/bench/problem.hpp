@@ -30,9 +30,9 @@ struct Problem {
   std::string name;
   scene::Scene scene;
   std::array<std::uint32_t, 3> cells{1, 1, 1};
-  double mean = 10;               // molecules of each species and voxel at the start
-  double events_per_second = 0;   // about, of all voxels
-  std::string law;                // of numbers that stay at equilibrium, and
+  double mean = 10;                                  // molecules of each species and voxel at the start
+  double events_per_second = 0;                      // about, of all voxels
+  std::string law;                                   // of numbers that stay at equilibrium, and
   std::function<double(const Numbers&)> deviations;  // standard normal where it holds
   // Without noise: where to start, for how long to run [s], and how far from what is known one then is (relative).
   std::function<void(Numbers&)> start;

@@ -8,6 +8,7 @@
 
 #include "run/bench/lattice_problem.hpp"
 #include "run/bench/next_subvolume.hpp"
+#include "run/bench/problem.hpp"
 #include "said.hpp"
 
 namespace {
@@ -45,9 +46,9 @@ TEST(Bench, EveryMethodIsRightOnSmallWorkloads) {
 }
 
 TEST(Bench, RefusesWhatItDoesNotKnow) {
-  auto said = bench({"D3-11"});
+  auto said = bench({"D4-11"});
   EXPECT_EQ(said.code, run::exit_input);
-  EXPECT_NE(said.err.find("there is no workload 'D3-11'; there are: CAVITY-100, D-sph, D3-10"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("there is no workload 'D4-11'; there are: CAVITY-100, D-sph, D3-10"), std::string::npos) << said.err;
   said = bench({"--method", "guess"});
   EXPECT_NE(said.err.find("there is no method 'guess'"), std::string::npos);
   said = bench({"D3-10", "--seconds", "-1"});
@@ -62,11 +63,12 @@ TEST(Bench, TheYardstickIsRight) {
   run::bench::fill_poisson(state, 10.0);
   const auto a_and_c = rdme::total_count(state, 0) + rdme::total_count(state, 2);
   run::bench::NextSubvolume heap(network, voxels, state);
+  const auto right = run::bench::binding_problem(4);
   double mean = 0.0;
   constexpr int looks = 400;
   for (int k = 0; k < looks; ++k) {
     heap.events(20000);  // several events a molecule between looks
-    mean += run::bench::distance_from_equilibrium(state, voxels.size()) / looks;
+    mean += right.deviations(run::bench::counts_of(state)) / looks;
   }
   EXPECT_EQ(rdme::total_count(state, 0) + rdme::total_count(state, 2), a_and_c);
   // 180 of each per voxel and second at these means.

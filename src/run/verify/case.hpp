@@ -46,7 +46,7 @@ struct Case {
   std::string name;
   std::string what;  // makes it hard
   std::function<std::vector<Finding>()> run;
-  bool by_name_only = false;  // takes long
+  bool by_name_only = false;  // takes long, or does not hold yet
 };
 
 // Hard cases, run to a long time and judged by laws instead of by not crashing.

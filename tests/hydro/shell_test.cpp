@@ -72,9 +72,10 @@ TEST(Shell, ThickRingUnderPressureIsLames) {
 
 TEST(Shell, ThickSphereUnderPressureIsLames) {
   const auto coarse = lame_errors(true, 6), fine = lame_errors(true, 10);
-  EXPECT_LT(coarse.displacement, 0.025);
-  EXPECT_LT(fine.displacement, 0.01);
+  EXPECT_LT(coarse.displacement, 0.01);
+  EXPECT_LT(fine.displacement, 0.005);
   EXPECT_LT(coarse.hoop, 0.03);
+  EXPECT_GT(std::log(coarse.displacement / fine.displacement) / std::log(10.0 / 6.0), 1.4);
 }
 
 // A shell bent out of all symmetry but the mirror's.

@@ -1,62 +1,19 @@
 #include "hydro/shell/energy.hpp"
 
 #include <limits>
-#include <numbers>
+
+#include "hydro/shell/balanced_gradients.hpp"
+#include "hydro/shell/enclosed.hpp"
 
 namespace shmoo::hydro {
 namespace {
 
 constexpr double alpha = 1.0;  // of the hourglass term
-using std::numbers::pi;
-using Edge = Eigen::Vector4d;  // of the cavity's outline: x, y of its first and its second point
 
 std::vector<int> coordinates(const Row& row) {
   std::vector<int> all;
   for (const auto& one : row) all.insert(all.end(), {int(2 * one.particle), int(2 * one.particle + 1)});
   return all;
-}
-
-// Between the x axis and an edge, turned about the axis or not.
-double edge_volume(bool axial, const Edge& e) {
-  const double r = e[1], s = e[3];
-  return axial ? pi / 3.0 * (e[0] - e[2]) * (r * r + r * s + s * s) : 0.5 * (e[0] - e[2]) * (r + s);
-}
-
-Edge edge_gradient(bool axial, const Edge& e) {
-  const double r = e[1], s = e[3], length = e[0] - e[2];
-  if (!axial) return {0.5 * (r + s), 0.5 * length, -0.5 * (r + s), 0.5 * length};
-  const double base = r * r + r * s + s * s;
-  return pi / 3.0 * Edge(base, length * (2.0 * r + s), -base, length * (r + 2.0 * s));
-}
-
-Eigen::Matrix4d edge_hessian(bool axial, const Edge& e) {
-  const double r = e[1], s = e[3], length = e[0] - e[2];
-  Eigen::Matrix4d h = Eigen::Matrix4d::Zero();
-  const double by_r = axial ? pi / 3.0 * (2.0 * r + s) : 0.5, by_s = axial ? pi / 3.0 * (r + 2.0 * s) : 0.5;
-  h(0, 1) = h(1, 0) = by_r;
-  h(0, 3) = h(3, 0) = by_s;
-  h(2, 1) = h(1, 2) = -by_r;
-  h(2, 3) = h(3, 2) = -by_s;
-  if (axial) {
-    h(1, 1) = h(3, 3) = 2.0 * pi / 3.0 * length;
-    h(1, 3) = h(3, 1) = pi / 3.0 * length;
-  }
-  return h;
-}
-
-// Of a row, by the difference x_ij - F_i X_ij of each neighbour, which is a sum over the row.
-Eigen::MatrixXd hourglass(const Shell& shell, const Row& row, std::size_t i) {
-  const auto n = Eigen::Index(row.size());
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index j = 1; j < n; ++j) {
-    const Vec2 apart = row[std::size_t(j)].place(shell.X) - shell.X[i];
-    Eigen::VectorXd off(n);
-    for (Eigen::Index k = 0; k < n; ++k) off[k] = -row[std::size_t(k)].gradient.dot(apart);
-    off[j] += 1.0;
-    off[0] -= 1.0;
-    sum += alpha * shell.V0[i] * row[std::size_t(j)].weight / apart.squaredNorm() * off * off.transpose();
-  }
-  return sum;
 }
 
 // The strains' derivatives by the row's coordinates: [strains x 2 row].
@@ -95,12 +52,6 @@ Eigen::MatrixXd displacements(const Shell& shell, const Row& row) {
   return all;
 }
 
-Edge edge_at(const std::vector<Vec2>& outline, std::size_t k) {
-  Edge e;
-  e << outline[k], outline[k + 1];
-  return e;
-}
-
 }  // namespace
 
 ShellEnergy::ShellEnergy(const Shell& shell) {
@@ -117,13 +68,10 @@ ShellEnergy::ShellEnergy(const Shell& shell) {
 void ShellEnergy::refer(const Shell& shell) {
   rows_ = make_stencil(shell);
   hourglass_.clear();
-  for (std::size_t i = 0; i < shell.size(); ++i) hourglass_.push_back(hourglass(shell, rows_[i], i));
-  outline_.clear();
-  for (int k = 0; k < shell.columns; ++k) {
-    outline_.push_back(rows_[shell.at(k, 0)]);
-    for (auto& one : outline_.back()) one.weight = one.gradient.dot(shell.inside[std::size_t(k)]);
-    outline_.back().front().weight += 1.0;
-  }
+  for (std::size_t i = 0; i < shell.size(); ++i) hourglass_.push_back(unseen(shell, rows_[i], i));
+  outline_ = outline_rows(shell, rows_, 0, shell.inside);
+  balance_gradients(shell, hourglass_, rows_);
+  for (std::size_t i = 0; i < shell.size(); ++i) hourglass_[i] *= alpha * shell.V0[i];
 }
 
 void ShellEnergy::lay_out(std::size_t unknowns) {
@@ -154,15 +102,7 @@ Deformation<2> ShellEnergy::elastic(const Shell& shell, std::size_t i) const {
   return {deformation_gradient(rows_[i], shell.x) * shell.B[i], hoop * shell.b[i]};
 }
 
-std::vector<Vec2> ShellEnergy::cavity(const Shell& shell) const {
-  std::vector<Vec2> outline;
-  for (const auto& row : outline_) {
-    Vec2 point = Vec2::Zero();
-    for (const auto& one : row) point += one.weight * one.place(shell.x);
-    outline.push_back(point);
-  }
-  return outline;
-}
+std::vector<Vec2> ShellEnergy::cavity(const Shell& shell) const { return points(outline_, shell.x); }
 
 std::vector<Vec2> ShellEnergy::outer_surface(const Shell& shell) const {
   std::vector<Vec2> outline;

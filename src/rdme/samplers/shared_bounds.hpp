@@ -6,13 +6,17 @@
 // Phys. 141, 134116). Nothing is stored but numbers of molecules, so an event changes nothing else. This pays where
 // voxels are much alike.
 //
+// Attempts are surveyed many at a time, without branches: those stay open that would be events with one molecule more
+// of each species in their voxel. They are settled one by one, by the numbers as they then stand. Where a second
+// molecule may have come to the same place, the rest is surveyed anew.
+//
 // Where an event passes a bound, the bound is raised: of K attempts in a time T the k-th comes at T Beta(k, K + 1 - k),
 // and from there on attempts are drawn anew.
+#include <array>
 #include <vector>
 
-#include "rdme/jump_table.hpp"
 #include "rdme/propensity.hpp"
-#include "rdme/sampler.hpp"
+#include "rdme/samplers/bounded_channel.hpp"
 #include "rdme/samplers/word_stream.hpp"
 
 namespace shmoo::rdme {
@@ -32,37 +36,24 @@ class SharedBounds {
   double advance(double dt, const base::RandomKey& key, std::uint64_t step, std::vector<std::int64_t>& events);
 
  private:
-  static constexpr std::size_t batch = 64;  // attempts
+  static constexpr std::size_t batch = 64;          // attempts
+  static constexpr std::size_t most_channels = 32;  // looked at one by one
 
-  // Jumps of a species, or a reaction: at c_i u v in voxel i, where u and v are each a number, one less, or 1.
-  struct Channel {
-    const double* coefficient = nullptr;  // [1/s] c_i at [i * stride]
-    std::size_t stride = 0;
-    std::uint32_t first = 0, second = 0;  // species
-    double first_scale = 0, first_shift = 1, second_scale = 0, second_shift = 1;
-    int reaction = -1;          // -1: jumps
-    std::uint32_t species = 0;  // that jumps
-    bool simple = true;         // false: a reaction of more than two molecules, by its propensity
-
-    double rate(const std::int64_t* n, std::size_t voxel) const {  // [1/s] by the numbers of the voxel
-      return coefficient[voxel * stride] *
-             ((double(n[first]) * first_scale + first_shift) * (double(n[second]) * second_scale + second_shift));
-    }
-  };
-
-  void add_channels(Process process);
-  Channel jumps_of(std::uint32_t species) const;
-  Channel channel_of(int reaction);
-  double rate(const Channel& channel, std::size_t voxel) const;
+  double rate(const BoundedChannel& channel, std::size_t voxel) const;
   double rates() const;  // [1/s] of all channels of all voxels, as they stand
-  double bound(const Channel& channel) const;
+  double bound(const BoundedChannel& channel) const;
+  void make_sieve();
+  void tighten();
   void sum_bounds();
-  std::uint64_t attempts(std::uint64_t number, std::vector<std::int64_t>& events);
-  void draw(std::size_t size);
-  void fetch(std::size_t size) const;
-  void jump(std::uint32_t voxel, std::uint32_t species);
-  void react(std::uint32_t voxel, int reaction);
-  void arrive(std::size_t at, std::uint32_t species);  // a molecule more at this place of the state
+  std::uint64_t attempts(std::uint64_t number, base::RandomSequence random);
+  void draw(std::size_t size, base::RandomSequence& random);
+  void survey(std::size_t from, std::size_t to);
+  void aim();
+  std::size_t settle(std::size_t to);
+  void happen(const BoundedChannel& channel, std::size_t voxel, std::size_t target);
+  void react(std::size_t voxel, int reaction);
+  void shift(std::size_t at, std::uint32_t species, std::int64_t amount);
+  void close(std::vector<std::int64_t>& events);
 
   const Network& network_;
   Propensities& propensities_;
@@ -71,21 +62,32 @@ class SharedBounds {
   State* state_ = nullptr;
   const JumpTables* tables_ = nullptr;
   std::size_t species_;
-  std::vector<double> fastest_;     // [1/s] by species: largest rate of leaving a voxel
   std::vector<std::int64_t> most_;  // by species: bound of the number in a voxel
 
-  std::vector<Channel> channels_;
-  std::vector<double> below_;  // [1/s] sum of the bounds of the channels before; the last is that of all
-  std::vector<std::vector<double>> coefficients_;  // of reactions: one for all voxels, or by voxel
+  std::vector<BoundedChannel> channels_;
+  std::size_t changes_ = 0;  // of any channel's event, at most
   Process process_ = Process::both;
-  double expected_ = 0;                     // share of attempts that were events when the bounds were made
-  std::uint64_t tried_ = 0, happened_ = 0;  // since then
+  std::uint64_t tried_ = 0, happened_ = 0;  // since bounds were made
+  std::uint64_t tally_[most_channels];      // events by channel
   bool raised_ = false;                     // a bound, by the event at hand
 
-  base::RandomSequence random_{{}, base::Stream::test};
+  // By channel, for the survey.
+  struct Sieve {
+    double below[most_channels + 1];  // [1/s] sum of the bounds before; the last is that of all
+    double largest[most_channels];    // [1/s] coefficient; shifts are those with a molecule more
+    double first_scale[most_channels], first_shift[most_channels];
+    double second_scale[most_channels], second_shift[most_channels];
+    std::uint32_t first[most_channels], second[most_channels];
+  } sieve_;
+
   WordStream targets_;
-  std::uint32_t voxel_[batch];
-  double rest_[batch];  // [1/s] uniform below the sum of bounds
+  // Of the attempts at hand
+  std::uint32_t voxel_[batch], channel_[batch], target_[batch];
+  double rest_[batch];  // [1/s] uniform below the bound
+  std::uint32_t open_[batch];
+  std::size_t open_number_ = 0;
+  std::array<std::uint64_t, 64> came_;  // bits of places where a molecule has come since the survey
+  bool crowded_ = false;                // two may have come to the same
 };
 
 }  // namespace shmoo::rdme

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "coupling/held_surface.hpp"
 #include "rdme/surface/contacts.hpp"
 #include "rdme/unlisted_jumps.hpp"
 #include "rdme/voronoi.hpp"
@@ -73,6 +74,7 @@ Geometry<D>::Geometry(const scene::Scene& scene, const sph::Filling<D>& filling)
     if (std::find(carried_.begin(), carried_.end(), true) == carried_.end()) carried_.clear();
   }
   find_habitats();
+  for (const auto& habitat : habitats_) surfaces_.push_back(held_surface<D>(scene, habitat));
 }
 
 template <int D>
@@ -133,6 +135,14 @@ template <int D>
 rdme::PairWeights Geometry<D>::weights(const Frame<D>& frame) const {
   const bool off_lattice = scene_.effects.flow || scene_.domain.jitter > 0.0;
   return frame.steady && off_lattice ? rdme::PairWeights::faces : rdme::PairWeights::kernel;
+}
+
+template <int D>
+rdme::HabitatGraph Geometry<D>::habitat_graph(const Frame<D>& frame, const rdme::Places<D>& places,
+                                              const sph::NeighbourRows<D>& near, std::size_t habitat) const {
+  const auto& surface = surfaces_[habitat];
+  return rdme::make_habitat_graph<D>(places, near, box_, kernel_, scene_.depth, habitats_[habitat], weights(frame),
+                                     surface ? &*surface : nullptr);
 }
 
 template <int D>
@@ -226,7 +236,7 @@ void Geometry<D>::add_graphs(const Frame<D>& frame, const std::vector<bool>& sam
       continue;
     }
     if (!near) near = rows(frame);
-    auto made = rdme::make_habitat_graph<D>(places, *near, box_, kernel_, scene_.depth, habitats_[h], weights(frame));
+    auto made = habitat_graph(frame, places, *near, h);
     if (!frame.drift.empty()) attach_flow(carrying, made.graph);
     voxels.graphs[h] = std::move(made.graph);
     contacts[h] = std::move(made.contacts);
@@ -283,9 +293,7 @@ double Geometry<D>::flux(const Frame<D>& frame, std::size_t species, int side, i
   if (habitat_of_species_[species] < 0) return 0.0;
   const auto of_voxel = material_in(frame);
   const rdme::Places<D> places{frame.position, frame.capacity, {}, of_voxel, vacant_};
-  const auto& habitat = habitats_[std::size_t(habitat_of_species_[species])];
-  const auto graph =
-      rdme::make_habitat_graph<D>(places, *rows(frame), box_, kernel_, scene_.depth, habitat, weights(frame));
+  const auto graph = habitat_graph(frame, places, *rows(frame), std::size_t(habitat_of_species_[species]));
   double sum = 0.0;
   for (const auto& boundary : scene_.boundaries) {
     const bool here = side < 0 ? boundary.axis < 0 && boundary.material == material

@@ -1,6 +1,7 @@
 #pragma once
 // From a frame to the voxels of chemistry: one jump graph per distinct habitat, what the fluid carries, and the
 // exchange with everything outside (sides, clamped materials, fluxes, sponges).
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,8 @@ class Geometry {
   std::vector<std::uint16_t> material_in(const Frame<D>& frame) const;
   bool listed(std::size_t habitat, const Frame<D>& frame, const std::vector<bool>& sampled) const;
   void add_graphs(const Frame<D>& frame, const std::vector<bool>& sampled, rdme::Voxels& voxels) const;
+  rdme::HabitatGraph habitat_graph(const Frame<D>& frame, const rdme::Places<D>& places,
+                                   const sph::NeighbourRows<D>& near, std::size_t habitat) const;
   double reach() const;  // [m] of the kernel
   std::shared_ptr<const sph::NeighbourRows<D>> rows(const Frame<D>& frame) const;
   rdme::PairWeights weights(const Frame<D>& frame) const;
@@ -76,7 +79,8 @@ class Geometry {
   mutable sph::SkinLists<D, sph::Clusters<D>> moving_clusters_;
   std::vector<bool> carried_;  // [materials]; empty where nothing is carried
   std::vector<rdme::Habitat> habitats_;
-  std::vector<int> habitat_of_species_;  // -1: neither diffuses nor is carried
+  std::vector<std::optional<sph::Surface<D>>> surfaces_;  // by habitat: where it meets what is held
+  std::vector<int> habitat_of_species_;                   // -1: neither diffuses nor is carried
 };
 
 extern template class Geometry<1>;

@@ -32,10 +32,12 @@ class Contacts {
   }
 
  private:
-  // Moves the jumps of a row to `to` and on, all but those to clamped voxels. `clamped` [1/m] by side: the sum over
-  // clamped partners of c_ij (d_j - d_i).
+  // Moves the jumps of a row to `to` and on, all but those to clamped voxels, which become contacts. `clamped` [1/m] by
+  // side: the sum over clamped partners of c_ij (d_j - d_i).
   std::uint64_t keep_jumps(std::size_t i, std::uint64_t begin, std::uint64_t end, std::uint64_t to,
                            std::array<double, 2 * D>& clamped) {
+    const std::uint64_t first = to;
+    const std::size_t before = contacts_.size();
     for (std::uint64_t p = begin; p < end; ++p) {
       const std::uint32_t j = graph_.target[p];
       if (around_.is_clamped(j)) {
@@ -48,7 +50,33 @@ class Contacts {
       if (!graph_.flow.empty()) graph_.flow[to] = graph_.flow[p];
       ++to;
     }
+    if (contacts_.size() > before && around_.surface) meet_surface(i, first, to, before);
     return to;
+  }
+
+  // Where all contacts of voxel i from `before` on are with one smooth surface, one contact with that in their place.
+  // Not where jumps lead through a wall thinner than the reach: no one surface tells distances on both of its sides.
+  void meet_surface(std::size_t i, std::uint64_t first, std::uint64_t end, std::size_t before) {
+    const std::uint32_t boundary = contacts_[before].boundary;
+    for (std::size_t k = before; k < contacts_.size(); ++k)
+      if (contacts_[k].boundary != boundary) return;
+    const auto& position = around_.places.position;
+    const auto& surface = *around_.surface;
+    const auto foot = surface.nearest_from_fluid(position[i], around_.reach());
+    if (!foot || surface.material_at(foot->place - 1e-3 * least_ * foot->normal) != int(boundary) - 6) return;
+    if (!surface.smooth_about(*foot, around_.reach())) return;
+    const auto height = [&](std::size_t j) {
+      return foot->harmonic(foot->distance(around_.box.nearest(position[j] - foot->place)));
+    };
+    const double own = height(i);
+    double sum = 0.0;
+    for (std::uint64_t p = first; p < end; ++p) {
+      const double other = height(graph_.target[p]);
+      if (!(other > -0.2 * around_.reach())) return;
+      sum += graph_.coupling[p] * (other - own);
+    }
+    contacts_.resize(before);
+    if (sum > 0.0) contacts_.push_back({std::uint32_t(i), boundary, sum / std::max(own, least_), 0.0});
   }
 
   // The share of a surface that releases a flux: 2 V_i |sum V_j grad W| over the particles of its material.
@@ -104,6 +132,8 @@ class Contacts {
   JumpGraph graph_;
   std::vector<Contact> contacts_;
   bool clamps_ = false, releases_ = false;
+  // [m] what stands nearer to a surface counts as standing so far: rates must stay finite
+  const double least_ = 0.02 * around_.reach();
 };
 
 }  // namespace

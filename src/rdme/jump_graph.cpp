@@ -34,16 +34,19 @@ JumpGraph face_graph(const Surroundings<D>& around) {
 template <int D>
 HabitatGraph make_habitat_graph(const Places<D>& places, const sph::NeighbourRows<D>& rows, const base::Box<D>& box,
                                 const sph::AnyKernel<D>& kernel, double depth, const Habitat& habitat,
-                                PairWeights weights) {
-  const Surroundings<D> around{places, box, kernel, depth, habitat, rows};
+                                PairWeights weights, const sph::Surface<D>* surface) {
+  const Surroundings<D> around{places, box, kernel, depth, habitat, rows, surface};
   return with_contacts(around, weights == PairWeights::faces ? face_graph(around) : kernel_graph(around));
 }
 
 template HabitatGraph make_habitat_graph(const Places<1>&, const sph::NeighbourRows<1>&, const base::Box<1>&,
-                                         const sph::AnyKernel<1>&, double, const Habitat&, PairWeights);
+                                         const sph::AnyKernel<1>&, double, const Habitat&, PairWeights,
+                                         const sph::Surface<1>*);
 template HabitatGraph make_habitat_graph(const Places<2>&, const sph::NeighbourRows<2>&, const base::Box<2>&,
-                                         const sph::AnyKernel<2>&, double, const Habitat&, PairWeights);
+                                         const sph::AnyKernel<2>&, double, const Habitat&, PairWeights,
+                                         const sph::Surface<2>*);
 template HabitatGraph make_habitat_graph(const Places<3>&, const sph::NeighbourRows<3>&, const base::Box<3>&,
-                                         const sph::AnyKernel<3>&, double, const Habitat&, PairWeights);
+                                         const sph::AnyKernel<3>&, double, const Habitat&, PairWeights,
+                                         const sph::Surface<3>*);
 
 }  // namespace shmoo::rdme

@@ -4,13 +4,14 @@
 // Where particles stand off their lattice, V_i c_ij is the weight of the Voronoi face between them instead
 // (voronoi.hpp).
 // * s_ij = (s_i + s_j)/2 is the second-moment scaling: 1/s_i = mu_own + mu_wall/2, mu = (1/D) sum_j V_j F_ij r_ij^2,
-// where
-//   particles that are no home of the species make up mu_wall.
+//   where particles that are no home of the species make up mu_wall.
 // * At a reflecting side every particle has a mirror image, and a jump to an image is a jump to its particle: rates
-// stay
-//   positive and symmetric, and the operator keeps its second order up to the side.
+//   stay positive and symmetric, and the operator keeps its second order up to the side.
 // * At an open side (held concentration, absorbing) a particle at distance d exchanges molecules with the side at
 //   max(0, sum_j c_ij (d_j - d_i))/d_i [1/m^2], which makes every linear profile exact on any arrangement.
+// * At the surface of a clamped material the same holds with h(d) in place of d, the solution of Laplace's equation
+//   about the plane, cylinder or ball that the true surface is there (sph/surface.hpp), where the caller gives it and
+//   it is smooth; elsewhere the particles of the material are held at its value.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -20,6 +21,7 @@
 #include "rdme/voxels.hpp"
 #include "sph/kernel.hpp"
 #include "sph/neighbours.hpp"
+#include "sph/surface.hpp"
 
 namespace shmoo::rdme {
 
@@ -67,7 +69,7 @@ enum class PairWeights : std::uint8_t { kernel, faces };
 template <int D>
 HabitatGraph make_habitat_graph(const Places<D>& places, const sph::NeighbourRows<D>& rows, const base::Box<D>& box,
                                 const sph::AnyKernel<D>& kernel, double depth, const Habitat& habitat,
-                                PairWeights weights = PairWeights::kernel);
+                                PairWeights weights = PairWeights::kernel, const sph::Surface<D>* surface = nullptr);
 
 // Adds the smallest potential flow that makes the carried flow of every voxel sum to zero (to a relative 1e-12), so
 // that a flow carried for ever leaves a uniform concentration alone. Returns the largest |net flow| before, relative to
@@ -75,10 +77,13 @@ HabitatGraph make_habitat_graph(const Places<D>& places, const sph::NeighbourRow
 double make_divergence_free(JumpGraph& graph, std::span<const double> volume);
 
 extern template HabitatGraph make_habitat_graph(const Places<1>&, const sph::NeighbourRows<1>&, const base::Box<1>&,
-                                                const sph::AnyKernel<1>&, double, const Habitat&, PairWeights);
+                                                const sph::AnyKernel<1>&, double, const Habitat&, PairWeights,
+                                                const sph::Surface<1>*);
 extern template HabitatGraph make_habitat_graph(const Places<2>&, const sph::NeighbourRows<2>&, const base::Box<2>&,
-                                                const sph::AnyKernel<2>&, double, const Habitat&, PairWeights);
+                                                const sph::AnyKernel<2>&, double, const Habitat&, PairWeights,
+                                                const sph::Surface<2>*);
 extern template HabitatGraph make_habitat_graph(const Places<3>&, const sph::NeighbourRows<3>&, const base::Box<3>&,
-                                                const sph::AnyKernel<3>&, double, const Habitat&, PairWeights);
+                                                const sph::AnyKernel<3>&, double, const Habitat&, PairWeights,
+                                                const sph::Surface<3>*);
 
 }  // namespace shmoo::rdme

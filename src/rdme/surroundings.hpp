@@ -20,6 +20,7 @@ struct Surroundings {
   double depth;
   const Habitat& habitat;
   const sph::NeighbourRows<D>& rows;  // of all pairs within the kernel's reach, and perhaps some beyond
+  const sph::Surface<D>* surface;     // of the habitat; null: only its particles tell where it ends
 
   std::size_t size() const { return places.position.size(); }
   bool is_home(std::size_t i) const { return habitat.home[places.material[i]]; }

@@ -57,10 +57,10 @@ scene::Scene diffusion_scene() {
   return scene;
 }
 
-scene::Scene binding_scene() {
+scene::Scene binding_scene(double mean) {
   auto scene = water();
   for (const char* name : {"A", "B", "C"}) add_species(scene, name, 1.0);
-  add_reaction(scene, {{0, 1}, {1, 1}}, {{2, 1}}, 0.9);
+  add_reaction(scene, {{0, 1}, {1, 1}}, {{2, 1}}, 9.0 / mean);
   add_reaction(scene, {{2, 1}}, {{0, 1}, {1, 1}}, 9.0);
   return scene;
 }

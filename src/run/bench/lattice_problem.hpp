@@ -15,7 +15,7 @@ namespace shmoo::run::bench {
 rdme::Voxels lattice(std::array<std::uint32_t, 3> n, std::size_t species);
 
 scene::Scene diffusion_scene();                   // one species
-scene::Scene binding_scene();                     // A + B -> C at 0.9 A B, C -> A + B at 9 C, all three diffuse
+scene::Scene binding_scene(double mean);          // A + B -> C at 9 A B/mean, C -> A + B at 9 C, all three diffuse
 scene::Scene ring_scene(int species);             // X0 -> X1 -> ... -> X0 at rate 1, nothing diffuses
 scene::Scene dimer_scene(double k, double back);  // 2 M -> D at k M (M - 1), D -> 2 M
 

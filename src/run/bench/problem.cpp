@@ -25,11 +25,11 @@ namespace {
 // All species of the ring are equal: multinomial over them as over voxels.
 double spread_over_species(const Numbers& numbers) { return spread_over_voxels({numbers.n, 1}); }
 
-// At equilibrium 0.9 (T_A - C)(T_B - C)/N = 9 C with the conserved totals; the variance of C given them is that of
+// At equilibrium (T_A - C)(T_B - C)/N = mean C with the conserved totals; the variance of C given them is that of
 // three Poisson numbers on the line that keeps both: 1/(1/A + 1/B + 1/C).
-double distance_from_equilibrium(const Numbers& numbers) {
+double distance_from_equilibrium(const Numbers& numbers, double mean) {
   const double A = numbers.total(0), B = numbers.total(1), C = numbers.total(2), N = double(numbers.voxels());
-  const double a = A + C, b = B + C, sum = a + b + 10.0 * N;
+  const double a = A + C, b = B + C, sum = a + b + mean * N;
   const double wanted = 0.5 * (sum - std::sqrt(sum * sum - 4.0 * a * b));
   const double variance = 1.0 / (1.0 / (a - wanted) + 1.0 / (b - wanted) + 1.0 / wanted);
   return (C - wanted) / std::sqrt(variance);
@@ -89,21 +89,22 @@ Problem diffusion_problem(std::uint32_t n) {
   return problem;
 }
 
-// Without noise from scattered numbers for a second, by which reactions are done: 0.9 A B = 9 C in each voxel but for
+// Without noise from scattered numbers for a second, by which reactions are done: A B = mean C in each voxel but for
 // what gradients still carry.
-Problem binding_problem(std::uint32_t n) {
+Problem binding_problem(std::uint32_t n, double mean) {
   Problem problem;
   problem.name = fmt::format("RD-{}", n);
-  problem.scene = binding_scene();
+  problem.scene = binding_scene(mean);
+  problem.mean = mean;
   problem.cells = {n, n, n};
-  problem.events_per_second = 360.0 * problem.voxels();
+  problem.events_per_second = 36.0 * mean * problem.voxels();
   problem.law = problem.smooth_law = "A + B <-> C in equilibrium";
-  problem.deviations = distance_from_equilibrium;
+  problem.deviations = [mean](const Numbers& numbers) { return distance_from_equilibrium(numbers, mean); };
   problem.start = [](Numbers&) {};
-  problem.error = [](const Numbers& numbers) {
+  problem.error = [mean](const Numbers& numbers) {
     double forward = 0.0, backward = 0.0;
     for (std::size_t i = 0; i < numbers.n.size(); i += 3) {
-      forward += 0.9 * numbers.n[i] * numbers.n[i + 1];
+      forward += 9.0 / mean * numbers.n[i] * numbers.n[i + 1];
       backward += 9.0 * numbers.n[i + 2];
     }
     return forward / backward - 1.0;

@@ -43,8 +43,8 @@ struct Problem {
   double voxels() const { return double(cells[0]) * cells[1] * cells[2]; }
 };
 
-Problem diffusion_problem(std::uint32_t n);  // D3-n
-Problem binding_problem(std::uint32_t n);    // RD-n
+Problem diffusion_problem(std::uint32_t n);                  // D3-n
+Problem binding_problem(std::uint32_t n, double mean = 10);  // RD-n, or the same with more molecules
 Problem ring_problem(int species);
 Problem dimer_problem();
 

@@ -96,11 +96,14 @@ std::vector<Workload> smooth_workloads() {
     all.push_back({problem.name, "ode", "voxels a second each, per CPU s",
                    [=](double seconds) { return with_solver(problem, seconds); }});
   };
-  for (const std::uint32_t n : {10u, 30u, 60u}) {
+  for (const std::uint32_t n : {10u, 30u, 60u, 100u}) {
     langevin(diffusion_problem(n), 1000.0, 0.01);
     ode(diffusion_problem(n));
   }
-  for (const std::uint32_t n : {10u, 30u, 60u}) ode(binding_problem(n));
+  for (const std::uint32_t n : {10u, 30u, 60u}) {
+    langevin(binding_problem(n, 1000.0), 1000.0, 0.01);
+    ode(binding_problem(n));
+  }
   for (const int n : {10, 100}) {
     langevin(ring_problem(n), 1000.0, 0.2);
     ode(ring_problem(n));

@@ -68,6 +68,7 @@ ResultFile::ResultFile(const std::filesystem::path& path) : path_(path), file_(o
   const auto model = h5::open(file_, "/model");
   title = h5::get_text(model, "title");
   dimension = static_cast<int>(h5::get_number(model, "dimension"));
+  axisymmetric = h5::has(model, "axisymmetric");
   spacing = h5::get_number(model, "spacing");
   depth = h5::get_number(model, "depth");
   lower = h5::get_numbers(model, "lower");

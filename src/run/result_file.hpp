@@ -44,6 +44,7 @@ class ResultFile {
   std::uint64_t seed = 0;
   std::size_t realisations = 0, done = 0;
   int dimension = 2;
+  bool axisymmetric = false;                                // turned about the x axis
   double spacing = 0, depth = 0;                            // [m]
   std::vector<double> lower, upper;                         // [m]
   std::vector<double> times;                                // [s]

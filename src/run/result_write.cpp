@@ -16,6 +16,7 @@ void write_model(hid_t file, const Description& description) {
   h5::set(group, "file", scene.file);
   h5::set(group, "sha256", description.hash);
   h5::set(group, "dimension", static_cast<std::int64_t>(scene.dimension));
+  if (scene.axisymmetric) h5::set(group, "axisymmetric", std::int64_t{1});
   h5::set(group, "depth", scene.depth);
   h5::set(group, "depth_unit", scene.dimension == 3 ? "1" : scene.dimension == 2 ? "m" : "m^2");
   h5::set(group, "spacing", scene.domain.spacing);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "run/command_line.hpp"
+#include "run/explain/coarse_wall.hpp"
 #include "run/explain/forecast.hpp"
 
 namespace shmoo::run {
@@ -144,6 +145,12 @@ TEST(ExplainForecast, AFinishedRehearsalIsTheAnswer) {
   auto finished = known(1.0, 10.0, 0.0);
   finished.finished = true;
   EXPECT_NEAR(extrapolate(finished, 1.0).each, 18.0, 1e-9);
+}
+
+TEST(ExplainForecast, AWallFollowsTheCourseOfACoarseOne) {
+  const std::vector<Moment> coarse{{0.01, 1.0}, {0.1, 2.0}, {0.5, 3.0}, {1.0, 10.0}};
+  EXPECT_NEAR(by_coarse({{0.005, 2.0}, {0.01, 4.0}}, coarse), 40.0, 1e-9);
+  EXPECT_NEAR(by_coarse({{0.01, 4.0}, {0.055, 6.0}}, coarse), 40.0, 1e-9);
 }
 
 }  // namespace

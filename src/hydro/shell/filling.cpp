@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace shmoo::hydro {
@@ -9,15 +10,21 @@ namespace {
 
 using Vec2 = base::Vec<2>;
 
-constexpr int sweeps = 6;
+constexpr int sweeps = 12;
 constexpr double stiffness = 0.4;  // of the overlap of two particles that a sweep removes
 constexpr double overlap = 1.5;    // [spacings] within which particles push each other
 constexpr double clearance = 0.5;  // [spacings] from the wall
 
-// The nearest point of the outline.
+// The nearest point of the outline: on an edge next to its nearest corner, as edges are much of a length.
 Vec2 nearest(const Points& outline, const Vec2& point) {
-  Vec2 best = outline.front();
-  for (std::size_t k = 0; k + 1 < outline.size(); ++k) {
+  std::size_t corner = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const double far = (outline[k] - point).squaredNorm();
+    if (far < least) least = far, corner = k;
+  }
+  Vec2 best = outline[corner];
+  for (std::size_t k = corner - std::min<std::size_t>(corner, 2); k < std::min(corner + 2, outline.size() - 1); ++k) {
     const Vec2 along = outline[k + 1] - outline[k];
     const double t = std::clamp((point - outline[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
     const Vec2 candidate = outline[k] + t * along;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/rules/settling.hpp"
+#include "run/explain/coarse_wall.hpp"
 #include "run/explain/memory.hpp"
 #include "run/recorder.hpp"
 #include "scene/motion.hpp"
@@ -86,6 +87,7 @@ void add_times(const scene::Scene& scene, const coupling::Numbers& numbers, cons
   forecast.shared_seconds = rehearsal.prepare_seconds;
   if (!rehearsal.prepared || play.kind == Kind::shortened)
     forecast.shared_seconds = at_that_pace(rehearsal.preparing, rehearsal.prepare_seconds, 1.0 / played);
+  if (!rehearsal.coarse.empty()) forecast.shared_seconds = by_coarse(rehearsal.preparing, rehearsal.coarse);
   const bool chemistry_too = play.kind == Kind::shortened && !scene.species.empty() && !anything_random(scene);
   if (play.kind != Kind::whole && !chemistry_too)
     forecast.shared_seconds = flow_seconds(scene, numbers, *flow, forecast);

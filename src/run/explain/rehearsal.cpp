@@ -6,6 +6,7 @@
 #include "base/clock.hpp"
 #include "coupling/rules/settling.hpp"
 #include "rdme/sampler.hpp"
+#include "run/explain/coarse_wall.hpp"
 #include "run/explain/memory.hpp"
 #include "run/recorder.hpp"
 
@@ -167,7 +168,9 @@ Play choose_play(const scene::Scene& scene, const coupling::Numbers& numbers, co
 }
 
 Rehearsal rehearse(const scene::Scene& scene, const Maker& make, double budget) {
-  return Player(scene, make, budget).play();
+  auto result = Player(scene, make, budget).play();
+  if (!result.prepared && !result.preparing.empty()) result.coarse = coarse_course(scene, make, patience * budget);
+  return result;
 }
 
 }  // namespace shmoo::run

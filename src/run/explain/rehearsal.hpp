@@ -34,6 +34,7 @@ struct Rehearsal {
   double prepare_seconds = 0;       // CPU time of what realisations share
   bool prepared = false;            // else stopped
   std::vector<Moment> preparing{};  // of what realisations share, after every interval
+  std::vector<Moment> coarse{};     // the same of a coarse wall to the end, where that tells more
   std::vector<Moment> realised{};   // of realisation 0, after every interval
   double closing_seconds = 0;       // CPU time after the last of them
   bool finished = false;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.hpp"
 #include "run/plot/gnuplot.hpp"
 #include "run/plot/plot.hpp"
 #include "run/plot/raster.hpp"
@@ -76,6 +77,29 @@ Panel make_panel(const std::string& title, const std::string& name, const std::s
   // Counts and speeds read best from zero; a density does not.
   const bool near_zero = range.low >= 0 && range.low < 0.5 * range.high;
   return {title, with_unit(name, reading.unit), values, range_of(values, near_zero)};
+}
+
+// In a body of revolution voxels next to the axis are small, and numbers of molecules would show that: concentrations.
+std::string make_concentrations(const ResultFile& result, const Entry& field, std::size_t time, Slice& slice) {
+  const auto volume = std::find_if(result.fields.begin(), result.fields.end(),
+                                   [](const auto& other) { return other.name == "volume"; });
+  if (!result.axisymmetric || field.unit != "molecules" || volume == result.fields.end()) return field.unit;
+  const auto volumes = result.field_slice(*volume, time).mean;
+  for (auto* values : {&slice.mean, &slice.deviation})
+    for (std::size_t i = 0; i < values->size(); ++i) (*values)[i] /= volumes[i] * base::avogadro;
+  return "mol/m³";
+}
+
+// The other half of a body of revolution.
+void add_mirror_image(Map& map) {
+  const std::size_t points = map.points.size() / 2;
+  for (std::size_t i = 0; i < points; ++i) {
+    map.points.push_back(map.points[2 * i]);
+    map.points.push_back(-map.points[2 * i + 1]);
+    map.greys.push_back(map.greys[i]);
+    for (auto& panel : map.panels) panel.values.push_back(panel.values[i]);
+  }
+  map.window.y0 = -map.window.y1;
 }
 
 // One arrow in each cell of a coarse grid, at the cell's middle, as the particle nearest to it moves.
@@ -189,7 +213,8 @@ void plot_map(const ResultFile& result, const Entry& field, std::size_t time, co
   const auto positions = result.positions(time);
   const auto shown = shown_particles(result, positions);
   const auto all_held = holders(result, field);
-  const auto slice = result.field_slice(field, time);
+  auto slice = result.field_slice(field, time);
+  const auto unit = make_concentrations(result, field, time, slice);
   const auto components = field.shape.size() > 1 ? field.shape[1] : 1;
   const auto length = readable("m", std::max(result.upper[0] - result.lower[0], result.upper[1] - result.lower[1]));
 
@@ -207,14 +232,15 @@ void plot_map(const ResultFile& result, const Entry& field, std::size_t time, co
   map.reach = 1.2 * length.factor * result.spacing;
   const auto name = field.name == "velocity" ? "speed" : components > 1 ? "|" + field.name + "|" : field.name;
   const auto when = time_text(result.times[time]) + (result.dimension == 3 ? ", middle plane" : "");
-  map.panels.push_back(make_panel(fmt::format("{}: {}, {}", name, ensemble_text(result, field), when), name, field.unit,
+  map.panels.push_back(make_panel(fmt::format("{}: {}, {}", name, ensemble_text(result, field), when), name, unit,
                                   picked(magnitudes(slice.mean, components), shown, all_held)));
   if (!slice.deviation.empty()) {
     map.panels.push_back(make_panel(fmt::format("{}: standard deviation over the realisations, {}", name, when),
-                                    "deviation of " + name, field.unit,
+                                    "deviation of " + name, unit,
                                     picked(magnitudes(slice.deviation, components), shown, all_held)));
   }
   if (options.arrows && components > 1) map.arrows = arrows_of(map, slice.mean, components, shown, all_held);
+  if (result.axisymmetric) add_mirror_image(map);
   draw_map(map, result.title, png);
 }
 

@@ -57,7 +57,7 @@ TEST(Bench, RefusesWhatItDoesNotKnow) {
 
 // The heap samples the same law as every other method: C in equilibrium with A and B, time and again.
 TEST(Bench, TheYardstickIsRight) {
-  const rdme::Network network(run::bench::binding_scene());
+  const rdme::Network network(run::bench::binding_scene(10.0));
   const auto voxels = run::bench::lattice({4, 4, 4}, 3);
   auto state = rdme::empty_state(network, voxels.size());
   run::bench::fill_poisson(state, 10.0);

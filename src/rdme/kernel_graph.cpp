@@ -1,15 +1,16 @@
 #include "rdme/kernel_graph.hpp"
 
-#include <cstring>
 #include <limits>
+
+#include "base/lanes.hpp"
 
 namespace shmoo::rdme {
 namespace {
 
 constexpr std::size_t chunk = 256;  // voxels
-constexpr std::size_t lanes = 8;  // pairs are weighed and summed so many at a time, in vector registers where there are
+constexpr std::size_t lanes = base::lanes;  // pairs are weighed and summed so many at a time
 
-using Lane = double __attribute__((vector_size(lanes * sizeof(double))));
+using base::Lane;
 
 template <int D>
 class KernelGraph {
@@ -83,10 +84,10 @@ class KernelGraph {
         some.r2 += d * d;
       }
       double r2[lanes], F[lanes];
-      std::memcpy(r2, &some.r2, sizeof(r2));
+      base::store(some.r2, r2);
 #pragma omp simd
       for (std::size_t l = 0; l < lanes; ++l) F[l] = kernel.F(std::sqrt(r2[l]));
-      std::memcpy(&some.F, F, sizeof(F));
+      some.F = base::load(F);
       visit(some);
     }
   }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "base/error.hpp"
 #include "rdme/samplers/share_groups.hpp"
@@ -54,10 +56,25 @@ void LangevinTransport::add_pairs(int species) {
   }
 }
 
+// Ascending by voxels and species, those of a lower voxel by themselves: pairs are many, and most of the order is
+// there.
+void LangevinTransport::sort_pairs() {
+  std::vector<std::size_t> next(voxels_->size() + 1, 0);
+  for (const Pair& pair : pairs_) ++next[pair.low + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::vector<std::size_t> first = next;
+  std::vector<Pair> sorted(pairs_.size());
+  for (const Pair& pair : pairs_) sorted[next[pair.low]++] = pair;
+  for (std::size_t i = 0; i < voxels_->size(); ++i)
+    std::ranges::stable_sort(std::span(sorted).subspan(first[i], first[i + 1] - first[i]), {},
+                             [](const Pair& pair) { return std::uint64_t{pair.high} << 32 | pair.species; });
+  pairs_ = std::move(sorted);
+}
+
 // Both directions of a pair become one entry.
 void LangevinTransport::join_pairs() {
+  sort_pairs();
   const auto key = [](const Pair& pair) { return std::tuple{pair.low, pair.high, pair.species}; };
-  std::ranges::stable_sort(pairs_, {}, key);
   std::size_t kept = 0;
   for (const Pair& pair : pairs_) {
     if (kept > 0 && key(pairs_[kept - 1]) == key(pair)) {

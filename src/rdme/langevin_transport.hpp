@@ -36,6 +36,7 @@ class LangevinTransport {
   };
 
   void add_pairs(int species);
+  void sort_pairs();
   void join_pairs();
 
   const Network& network_;

@@ -1,13 +1,17 @@
 // The chances that `shmoo verify chemistry` finds are uniform over seeds where the laws hold: a Kolmogorov-Smirnov test
-// of all of them together, and of each check alone. What makes the test itself fail by chance: 1e-6 for all together,
-// and 1e-6 for each check. Chances of counts are only nearly uniform, as chi-square is a limit of many counts; with
+// of each check, and of all of a case together. One test for each case, by its name: long_run
+// --gtest_filter='*ChancesAreUniform*first_order'. What makes a test itself fail by chance: 1e-6 for a case, and 1e-6
+// for each check. Chances of counts are only nearly uniform, as chi-square is a limit of many counts; with
 // cells that expect five or more that is far nearer than these seeds can tell.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "run/verify/case.hpp"
 
@@ -34,18 +38,20 @@ double kolmogorov_smirnov(std::vector<double> chances) {
   return chance_of_distance(distance, n);
 }
 
-TEST(VerifyChemistry, ChancesAreUniformOverSeeds) {
+class VerifyChemistry : public testing::TestWithParam<std::string> {};
+
+TEST_P(VerifyChemistry, ChancesAreUniformOverSeeds) {
   std::map<std::string, std::vector<double>> by_check;
   std::vector<double> all;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    for (const auto& one : chemistry_cases(1000 + seed)) {
-      if (one.name == "min-oscillations") continue;  // a period, not a chance
-      for (const auto& finding : one.run()) {
-        EXPECT_TRUE(finding.holds()) << one.name << ": " << finding.law << " at seed " << 1000 + seed;
-        if (finding.false_alarm == 0.0) continue;
-        by_check[one.name + ": " + finding.law].push_back(finding.value);
-        all.push_back(finding.value);
-      }
+  for (std::uint64_t seed = 1001; seed <= 1000 + seeds; ++seed) {
+    const auto cases = chemistry_cases(seed);
+    const auto one = std::ranges::find(cases, GetParam(), &Case::name);
+    ASSERT_NE(one, cases.end());
+    for (const auto& finding : one->run()) {
+      EXPECT_TRUE(finding.holds()) << finding.law << " at seed " << seed;
+      if (finding.false_alarm == 0.0) continue;
+      by_check[finding.law].push_back(finding.value);
+      all.push_back(finding.value);
     }
   }
   for (const auto& [check, chances] : by_check) {
@@ -54,8 +60,22 @@ TEST(VerifyChemistry, ChancesAreUniformOverSeeds) {
     EXPECT_GT(chance, 1e-6) << check;
   }
   const double chance = kolmogorov_smirnov(all);
-  std::printf("all %zu chances are uniform with %.3g\n", all.size(), chance);
+  std::printf("all %zu chances of %s are uniform with %.3g\n", all.size(), GetParam().c_str(), chance);
   EXPECT_GT(chance, 1e-6);
 }
+
+std::vector<std::string> names() {
+  std::vector<std::string> names;
+  for (const auto& one : chemistry_cases(1))
+    if (one.name != "min-oscillations") names.push_back(one.name);  // a period, not a chance
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Case, VerifyChemistry, testing::ValuesIn(names()), [](const auto& one) {
+  std::string name = one.param;
+  std::ranges::replace_if(
+      name, [](char c) { return !std::isalnum(c); }, '_');
+  return name;
+});
 
 }  // namespace

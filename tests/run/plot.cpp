@@ -42,6 +42,31 @@ TEST(Plot, EveryDimensionGivesPictures) {
   }
 }
 
+// [pixels] across, from the head of the file.
+unsigned width(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string head(24, '\0');
+  in.read(head.data(), 24);
+  unsigned pixels = 0;
+  for (const std::size_t at : {16u, 17u, 18u, 19u}) pixels = 256 * pixels + static_cast<unsigned char>(head[at]);
+  return pixels;
+}
+
+// With both halves a picture of the same height is half as wide.
+TEST(Plot, ABodyOfRevolutionIsShownWhole) {
+  const Scratch scratch;
+  for (const bool turned : {false, true}) {
+    FakeExperiment fake(2, 6, 3);
+    fake.scene_.axisymmetric = turned;
+    const auto file = scratch / (turned ? "turned.h5" : "flat.h5");
+    run_ensemble(fake, {.output = file, .realisations = 2});
+    const ResultFile result(file);
+    EXPECT_EQ(result.axisymmetric, turned);
+    plot_field(result, result.field("velocity"), 1, {}, scratch / (turned ? "turned.png" : "flat.png"));
+  }
+  EXPECT_LT(width(scratch / "turned.png"), 0.8 * width(scratch / "flat.png"));
+}
+
 TEST(Plot, TitlesCannotReachTheShellOrTheScript) {
   EXPECT_EQ(quoted("it's `x`\n'; system 'y"), "'it’s `x` ’; system ’y'");
   const Scratch scratch;

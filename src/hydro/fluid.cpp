@@ -18,11 +18,6 @@ namespace {
 
 constexpr double most_movement = 0.25;  // [spacings] of any particle in one step
 
-template <int D>
-bool is_summed(const Effects<D>& effects) {
-  return std::holds_alternative<DensityBySummation>(effects.density);
-}
-
 }  // namespace
 
 template <int D>
@@ -30,6 +25,7 @@ Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
     : solids_(scene, filling),
       open_(scene::has_open_sides(scene) ? std::make_optional<OpenSides<D>>(scene, filling) : std::nullopt),
       mirrors_(filling.mirrors),
+      enclosed_(is_enclosed(filling)),
       state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, state_.scales.reach)),
       walls_(scene),
@@ -64,7 +60,8 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
   walls_.prepare(state_, scene);
   solids_.prepare(state_, scene);
   if (open_) open_->prepare(state_);
-  room_.prepare(state_, scene, is_summed(effects_), solids_.solids().volume());
+  if (!enclosed_) effects_.closed_room.reset();
+  if (effects_.closed_room) effects_.closed_room->prepare(state_, solids_.solids().volume());
   find_step();
   restart();
 }
@@ -189,7 +186,9 @@ void Fluid<D>::evaluate(double dt) {
     fill_slots();
   }
   sweep_density(state_, kernel_, effects_, dt, next);
-  room_.close(state_, solids_.solids().volume());
+  const double solids = solids_.solids().volume();
+  if (effects_.closed_room && dt > 0.0 && effects_.closed_room->due(steps_, solids))
+    effects_.closed_room->apply(state_, solids);
   walls_.extrapolate_pressure(state_, time_);
   if (open_) open_->set_pressure(state_, kernel_);
   fill_stress();

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "hydro/closed_room.hpp"
 #include "hydro/effects/list.hpp"
 #include "hydro/open/open_sides.hpp"
 #include "hydro/scales.hpp"
@@ -103,12 +102,11 @@ class Fluid {
   Immersion<D> solids_;
   std::optional<OpenSides<D>> open_;
   typename Blocks<D>::Mirrors mirrors_;
-  bool any_mirror_ = false;
+  bool any_mirror_ = false, enclosed_;
   State<D> state_;
   sph::AnyKernel<D> kernel_;
   Walls<D> walls_;
   WallGuard<D> guard_;
-  ClosedRoom<D> room_;
   double time_ = 0, dt_ = 0, last_dt_ = 0, interval_ = 0, fastest_ = 0;
   std::uint64_t steps_ = 0, evaluations_ = 0, bounces_ = 0, draws_ = 0;
 };

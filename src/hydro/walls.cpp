@@ -11,6 +11,17 @@ bool wants_fit(scene::WallForm form, double viscosity) {
   return form == scene::WallForm::second_order;
 }
 
+// Layers beyond two sides: the velocity normal to a side is that side's alone. Under a lid whose layers went on beyond
+// its end, the end of the cavity would let the fluid through.
+template <int D>
+void hold_normals(const scene::Domain& domain, const base::Vec<D>& x, base::Vec<D>& v) {
+  for (std::size_t a = 0; a < D; ++a) {
+    const int side = x[int(a)] < domain.lower[a] ? 0 : x[int(a)] > domain.upper[a] ? 1 : -1;
+    if (side < 0 || !scene::has_friction(domain.sides[a][std::size_t(side)].type)) continue;
+    v[int(a)] = domain.sides[a][std::size_t(side)].velocity[a];
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -23,7 +34,9 @@ void Walls<D>::prepare(State<D>& state, const scene::Scene& scene) {
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (particles.role[i] == sph::Role::fluid) continue;
     if (state.scaling) (*state.scaling)[i] = 1.0;
-    (*state.wall_velocity)[i] = motion_.surface_velocity(particles.material[i], particles.position[i], 0.0);
+    Vec& v = (*state.wall_velocity)[i];
+    v = motion_.surface_velocity(particles.material[i], particles.position[i], 0.0);
+    if (particles.material[i] >= scene.materials.size()) hold_normals<D>(scene.domain, particles.position[i], v);
     state.velocity[i] = (*state.wall_velocity)[i];
   }
   const auto form = scene.numerics.walls;
@@ -48,19 +61,24 @@ void Walls<D>::carry(State<D>& state, double t, double dt) {
 
 template <int D>
 template <class Kernel>
-base::Vec<D> Walls<D>::mirrored(State<D>& state, const Kernel& kernel, std::size_t i) const {
+base::Vec<D> Walls<D>::mirrored(State<D>& state, const Kernel& kernel, double t, std::size_t i) const {
+  const auto material = state.particles.material[i];
+  const bool strains = motion_.strains(material);
   double sum = 0.0;
   Vec v = Vec::Zero();
   const std::uint64_t first = state.rows.first(i);
   for (std::uint64_t p = first; p < first + state.rows.count(i); ++p) {
     const auto j = std::size_t(state.rows.partner()[p]);
-    const double W = kernel.W(state.separation(i, j).norm());
+    const Vec x_ij = state.separation(i, j);
+    const double W = kernel.W(x_ij.norm());
     state.rows.weight[p] = W;
     sum += W;
     v += W * state.velocity[j];
+    if (strains) v -= W * motion_.surface_velocity(material, state.particles.position[i] - x_ij, t);
   }
   const Vec& wall = (*state.wall_velocity)[i];
-  return sum > 0.0 ? Vec(2.0 * wall - v / sum) : wall;
+  if (!(sum > 0.0)) return wall;
+  return (strains ? 1.0 : 2.0) * wall - v / sum;
 }
 
 template <int D>
@@ -73,7 +91,7 @@ void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& an
         for (std::size_t n = 0; n < solid.size(); ++n) {
           const std::size_t i = solid[n];
           if (state.particles.role[i] == sph::Role::open) continue;
-          Vec v = mirrored(state, kernel, i);
+          Vec v = mirrored(state, kernel, t, i);
           if (fit_ && !motion_.strains(state.particles.material[i])) fit_->velocity(state, motion_, kernel, t, n, v);
           state.velocity[i] = v;
         }

@@ -24,14 +24,16 @@ class Walls {
   void prepare(State<D>& state, const scene::Scene& scene);
   // Moves the particles of moving walls from time t to t + dt and renews their velocities.
   void carry(State<D>& state, double t, double dt);
-  // At time t: v_w <- 2 v_wall - sum_f v_f W/sum_f W, or by the fit; leaves W_ij in the weights of solid rows.
+  // At time t: v_w <- 2 v_wall - sum_f v_f W/sum_f W, or by the fit; leaves W_ij in the weights of solid rows. Behind a
+  // straining wall only what the fluid's velocity departs from the strain's is mirrored: a fluid that is strained along
+  // then meets no jump.
   void extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& kernel, double t);
   // p_w <- [sum_f p_f W + (f - a_w).sum_f rho_f x_wf W]/sum_f W, with density and volume to match. Uses those weights.
   void extrapolate_pressure(State<D>& state, double t) const;
 
  private:
   template <class Kernel>
-  Vec mirrored(State<D>& state, const Kernel& kernel, std::size_t i) const;
+  Vec mirrored(State<D>& state, const Kernel& kernel, double t, std::size_t i) const;
 
   WallMotion<D> motion_;
   std::optional<WallFit<D>> fit_;  // where walls are of second order

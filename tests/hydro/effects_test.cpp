@@ -228,7 +228,8 @@ TEST(Removing, AnEffectLeavesNothingOfIt) {
   auto filling = sph::fill<2>(scene);
   std::vector<Derived> derived;
   const auto scales = derive_scales<2>(scene, filling, derived);
-  for (const std::string name : {"viscosity", "density diffusion", "transport velocity", "bounce back", "body force"}) {
+  for (const std::string name :
+       {"viscosity", "density diffusion", "transport velocity", "closed room", "bounce back", "body force"}) {
     auto effects = Effects<2>::choose(scene, scales, {});
     EXPECT_TRUE(effects.remove(name));
     EXPECT_FALSE(effects.remove(name)) << "it is gone";

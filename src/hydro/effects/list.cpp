@@ -54,6 +54,7 @@ Effects<D> Effects<D>::choose(const scene::Scene& scene, const Scales<D>& scales
   effects.density_diffusion = choose_diffusion(scene, scales, pressure);
   if (scene.numerics.shepard_every > 0)
     effects.shepard_filter = ShepardFilter<D>{std::uint64_t(scene.numerics.shepard_every)};
+  if (!sums_density(scene)) effects.closed_room = ClosedRoom<D>::choose(scene);
   effects.transport_velocity = TransportVelocity<D>::choose(scene, scales);
   effects.viscosity = Viscosity<D>::choose(scene, scales);
   if (ImplicitFriction<D>::chosen(scene, scales)) {
@@ -82,6 +83,7 @@ std::vector<std::string> Effects<D>::names() const {
   add(density);
   add(density_diffusion);
   if (shepard_filter) names.emplace_back(ShepardFilter<D>::name);
+  if (closed_room) names.emplace_back(ClosedRoom<D>::name);
   add(transport_velocity);
   add(viscosity);
   if (implicit_friction) names.emplace_back(ImplicitFriction<D>::name);
@@ -110,6 +112,10 @@ bool Effects<D>::remove(std::string_view name) {
   if (removed && name == ThermalNoise<D>::name) density = DensityByContinuity{};  // as without noise
   if (shepard_filter && name == ShepardFilter<D>::name) {
     shepard_filter.reset();
+    removed = true;
+  }
+  if (closed_room && name == ClosedRoom<D>::name) {
+    closed_room.reset();
     removed = true;
   }
   if (implicit_friction && name == ImplicitFriction<D>::name) {

@@ -3,6 +3,7 @@
 // choose().
 #include "hydro/effects/body.hpp"
 #include "hydro/effects/bounce_back.hpp"
+#include "hydro/effects/closed_room.hpp"
 #include "hydro/effects/density_diffusion.hpp"
 #include "hydro/effects/density_form.hpp"
 #include "hydro/effects/pressure.hpp"
@@ -20,6 +21,7 @@ struct Effects {
   std::variant<DensityByContinuity, DensityBySummation> density;
   DiffusionSlot density_diffusion;
   std::optional<ShepardFilter<D>> shepard_filter;
+  std::optional<ClosedRoom<D>> closed_room;
   Slot<TransportVelocity<D>> transport_velocity;
   Slot<Viscosity<D>> viscosity;                          // explicit, or
   std::optional<ImplicitFriction<D>> implicit_friction;  // in its place

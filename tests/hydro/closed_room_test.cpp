@@ -35,7 +35,7 @@ TEST(ClosedRoom, NothingPassesTheWallsUnderTheEndsOfALid) {
     if (k > 6) mean += mean_along_x(fluid) / 6;
   }
   EXPECT_NEAR(mean, 0.0, 0.004);
-  EXPECT_NEAR(filled(fluid), 1.0, 2e-5);
+  EXPECT_NEAR(filled(fluid), 1.0, 1e-4) << "some 2e-6 a step between two looks; 6e-3 by now if none were taken";
 }
 
 // A fluid that is strained along with its walls is strained evenly: mean density rose by 2.5 % where walls mirrored all

@@ -89,7 +89,10 @@ nlohmann::json measured(std::vector<std::string> more = {}) {
 TEST(ExplainCosts, NamesThePresentEffectsWithTheirColumnsAndLimits) {
   const auto report = measured();
   const auto& effects = report.at("flow").at("effects");
-  EXPECT_EQ(effects.size(), 3u);
+  EXPECT_EQ(effects.size(), 4u);
+  const auto room = entry(effects, "name", "closed room");
+  EXPECT_TRUE(room.at("columns").empty());
+  EXPECT_EQ(room.at("bytes"), 0u);
   const auto transport = entry(effects, "name", "transport velocity");
   EXPECT_EQ(transport.at("columns"), nlohmann::json{"shift_velocity"});
   EXPECT_EQ(transport.at("bytes"), 400 * 2 * sizeof(double));

@@ -145,7 +145,7 @@ void Fluid<D>::step(double dt) {
   evaluate(dt);
   implicit ? rub(dt) : kick(dt, root);
   solids_.push(0.5 * dt);
-  if (effects_.bounce_back) bounce();
+  if (effects_.bounce_back && !solids_.empty()) bounce();
   check();
 }
 

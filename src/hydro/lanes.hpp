@@ -28,7 +28,8 @@ struct Axis {
   double length = 0;  // [m]
   double half = 0;    // [m]; infinite where the axis is not periodic
 
-  double nearest(double d) const {
+  template <class Number>
+  Number nearest(Number d) const {
     d = d > half ? d - length : d;
     return d < -half ? d + length : d;
   }

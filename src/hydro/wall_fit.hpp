@@ -19,35 +19,45 @@ class WallFit {
  public:
   using Vec = base::Vec<D>;
 
-  // Finds the foot of every solid particle at its starting place. Edges and corners have none; with `away_from_edges`
-  // neither has what stands nearer to them than the kernel reaches, where velocities may be singular.
-  void prepare(State<D>& state, const sph::Surface<D>& surface, bool away_from_edges);
+  // Finds the foot of every solid particle at its starting place. Edges and corners have none. `careful`: neither has
+  // what stands nearer to them than the kernel reaches, where velocities may be singular; and what is continued turns
+  // into mirrored velocities where the fluid is too fast for its viscosity to shape it over the kernel's reach.
+  void prepare(State<D>& state, const sph::Surface<D>& surface, bool careful);
   // Turns what belongs to particle i along with a wall that has moved for dt [s].
   void turn(const WallMotion<D>& motion, std::size_t material, std::size_t i, double dt) {
     (*normal_)[i] = motion.turn(material, (*normal_)[i], dt);
   }
-  // Lists the fluid around the feet anew where the rows are new.
-  void follow(const State<D>& state);
-
-  bool fits(std::size_t i) const { return (*normal_)[i] != Vec::Zero(); }
-  // The velocity [m/s] of solid[n]; `wall` is the surface's own. False where too little fluid is about the foot.
-  template <class Kernel>
-  bool velocity(const State<D>& state, const WallMotion<D>& motion, const Kernel& kernel, double t, std::size_t n,
-                Vec& result) const;
+  // Turns the mirrored velocities [m/s] that solids have at time t into fitted ones; leaves alone those about whose
+  // foot there is too little fluid.
+  void apply(State<D>& state, const WallMotion<D>& motion, const sph::AnyKernel<D>& kernel, double t);
 
  private:
   struct Sums;
+  // A place of the surface, what lies behind it and the fluid about it.
+  struct Foot {
+    std::vector<std::uint32_t> solids, around;  // particles
+  };
+
+  double trust(const State<D>& state, const Sums& sums) const;
+  bool fits(std::size_t i) const { return (*normal_)[i] != Vec::Zero(); }
   Vec foot(const State<D>& state, std::size_t i) const {
     return state.particles.position[i] + (*depth_)[i] * (*normal_)[i];
   }
-  void list_around(const State<D>& state, const sph::Cells<D>& cells, std::size_t n);
+  // Lists the feet and the fluid around them anew where the rows are new.
+  void follow(const State<D>& state);
+  void list_feet(const State<D>& state);
+  void list_around(const State<D>& state, const sph::Cells<D>& cells, Foot& foot) const;
+  template <class Kernel>
+  Sums moments(const State<D>& state, const WallMotion<D>& motion, const Kernel& kernel, double t, const Foot& foot,
+               const sph::SurfacePoint<D>& point) const;
 
-  sph::Column<Vec>* normal_ = nullptr;              // of the surface at the foot, into the fluid; 0 without a foot
-  sph::Column<double>* depth_ = nullptr;            // [m] from the foot
-  sph::Column<double>* curvature_ = nullptr;        // [1/m], see sph::SurfacePoint
-  std::vector<std::vector<std::uint32_t>> around_;  // by place in rows.solid(): fluid particles about the foot
-  std::vector<Vec> near_;                           // [m] where the fluid near walls is
-  std::uint64_t followed_ = 0;                      // builds of the rows
+  sph::Column<Vec>* normal_ = nullptr;        // of the surface at the foot, into the fluid; 0 without a foot
+  sph::Column<double>* depth_ = nullptr;      // [m] from the foot
+  sph::Column<double>* curvature_ = nullptr;  // [1/m], see sph::SurfacePoint
+  bool limited_ = false;                      // by the fluid's speed
+  std::vector<Foot> feet_;
+  std::vector<Vec> near_;       // [m] where the fluid near walls is
+  std::uint64_t followed_ = 0;  // builds of the rows
 };
 
 extern template class WallFit<2>;

@@ -69,6 +69,21 @@ class WallMotion {
   bool any_moves_ = false;
 };
 
+// A surface's velocity near one of its points: linear in the way from there.
+template <int D>
+struct SurfaceSpeeds {
+  using Vec = base::Vec<D>;
+
+  Vec at = Vec::Zero();                       // [m/s]
+  base::Mat<D> slope = base::Mat<D>::Zero();  // [1/s]
+
+  SurfaceSpeeds(const WallMotion<D>& motion, std::size_t material, const Vec& place, double t) {
+    if (!motion.slides(material)) return;
+    at = motion.surface_velocity(material, place, t);
+    for (int k = 0; k < D; ++k) slope.col(k) = motion.surface_velocity(material, place + Vec::Unit(k), t) - at;
+  }
+};
+
 extern template class WallMotion<2>;
 extern template class WallMotion<3>;
 

@@ -1,6 +1,6 @@
 #include "hydro/walls.hpp"
 
-#include <cmath>
+#include "hydro/eights.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -62,41 +62,64 @@ void Walls<D>::carry(State<D>& state, double t, double dt) {
 template <int D>
 template <class Kernel>
 base::Vec<D> Walls<D>::mirrored(State<D>& state, const Kernel& kernel, double t, std::size_t i) const {
-  const auto material = state.particles.material[i];
-  const bool strains = motion_.strains(material);
-  double sum = 0.0;
-  Vec v = Vec::Zero();
+  Lane weight{}, v[D]{}, way[D]{};
   const std::uint64_t first = state.rows.first(i);
-  for (std::uint64_t p = first; p < first + state.rows.count(i); ++p) {
-    const auto j = std::size_t(state.rows.partner()[p]);
-    const Vec x_ij = state.separation(i, j);
-    const double W = kernel.W(x_ij.norm());
-    state.rows.weight[p] = W;
-    sum += W;
-    v += W * state.velocity[j];
-    if (strains) v -= W * motion_.surface_velocity(material, state.particles.position[i] - x_ij, t);
-  }
+  by_eights(state.rows.partner() + first, state.rows.count(i), [&](const Eight& eight, std::size_t k) {
+    Lane x[D], u[D];
+    const Lane r2 =
+        separations<D>(state.particles.position[i], eight, state.particles.position.values(), state.rows.axes(), x);
+    const Lane W = eight.live * kernel.W(Lane(r2 * inverse_root(r2)));
+    for (std::uint32_t l = 0; l < eight.size; ++l) state.rows.weight[first + k + l] = W[l];
+    weight += W;
+    eight.of<D>(state.velocity.values(), u);
+    for (int a = 0; a < D; ++a) {
+      v[a] = fma(W, u[a], v[a]);
+      way[a] = fma(W, x[a], way[a]);
+    }
+  });
   const Vec& wall = (*state.wall_velocity)[i];
-  if (!(sum > 0.0)) return wall;
-  return (strains ? 1.0 : 2.0) * wall - v / sum;
+  const double total = sum(weight);
+  if (!(total > 0.0)) return wall;
+  const auto material = state.particles.material[i];
+  if (!motion_.strains(material)) return 2.0 * wall - sum<D>(v) / total;
+  const SurfaceSpeeds<D> strained(motion_, material, state.particles.position[i], t);
+  return wall + strained.at - (sum<D>(v) + strained.slope * sum<D>(way)) / total;
 }
 
 template <int D>
 void Walls<D>::extrapolate_velocity(State<D>& state, const sph::AnyKernel<D>& any_kernel, double t) {
   const auto& solid = state.rows.solid();
-  if (fit_) fit_->follow(state);
   std::visit(
       [&](const auto& kernel) {
 #pragma omp parallel for schedule(static) if (worth_threads(4 * solid.size()))
         for (std::size_t n = 0; n < solid.size(); ++n) {
           const std::size_t i = solid[n];
-          if (state.particles.role[i] == sph::Role::open) continue;
-          Vec v = mirrored(state, kernel, t, i);
-          if (fit_ && !motion_.strains(state.particles.material[i])) fit_->velocity(state, motion_, kernel, t, n, v);
-          state.velocity[i] = v;
+          if (state.particles.role[i] != sph::Role::open) state.velocity[i] = mirrored(state, kernel, t, i);
         }
       },
       any_kernel);
+  if (fit_) fit_->apply(state, motion_, any_kernel, t);
+}
+
+template <int D>
+double Walls<D>::pressure_at(const State<D>& state, std::size_t i, const Vec& force) const {
+  Lane weight{}, pressure{}, lever[D]{};
+  const std::uint64_t first = state.rows.first(i);
+  const bool pulled = force != Vec::Zero();
+  by_eights(state.rows.partner() + first, state.rows.count(i), [&](const Eight& eight, std::size_t k) {
+    Lane W{};
+    for (std::uint32_t l = 0; l < eight.size; ++l) W[l] = state.rows.weight[first + k + l];
+    weight += W;
+    pressure = fma(W, eight.of(state.pressure.values()), pressure);
+    if (!pulled) return;
+    Lane x[D];
+    separations<D>(state.particles.position[i], eight, state.particles.position.values(), state.rows.axes(), x);
+    const Lane mass = W * eight.of(state.density.values());
+    for (int a = 0; a < D; ++a) lever[a] = fma(mass, x[a], lever[a]);
+  });
+  const double total = sum(weight);
+  if (!(total > 0.0)) return state.scales.background;
+  return (sum(pressure) + (pulled ? force.dot(sum<D>(lever)) : 0.0)) / total;
 }
 
 template <int D>
@@ -107,25 +130,11 @@ void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
   for (std::size_t n = 0; n < solid.size(); ++n) {
     const std::size_t i = solid[n];
     if (state.particles.role[i] == sph::Role::open) continue;
-    double sum = 0.0, p_sum = 0.0;
-    base::Vec<D> lever = base::Vec<D>::Zero();
-    const std::uint64_t first = state.rows.first(i);
-    for (std::uint64_t p = first; p < first + state.rows.count(i); ++p) {
-      const auto j = std::size_t(state.rows.partner()[p]);
-      const double W = state.rows.weight[p];
-      sum += W;
-      p_sum += W * state.pressure[j];
-      lever += W * state.density[j] * state.separation(i, j);
-    }
-    double pressure = scales.background;
-    if (sum > 0.0) {
-      const auto material = state.particles.material[i];
-      const bool elastic = state.particles.role[i] == sph::Role::solid;
-      const base::Vec<D> a =
-          elastic ? (*state.wall_acceleration)[i] : motion_.acceleration(material, state.particles.position[i], t);
-      const base::Vec<D> f = scales.body_force - a;
-      pressure = (p_sum + f.dot(lever)) / sum;
-    }
+    const auto material = state.particles.material[i];
+    const bool elastic = state.particles.role[i] == sph::Role::solid;
+    const Vec a =
+        elastic ? (*state.wall_acceleration)[i] : motion_.acceleration(material, state.particles.position[i], t);
+    const double pressure = pressure_at(state, i, Vec(scales.body_force - a));
     state.pressure[i] = pressure;
     state.density[i] = scales.density_at(pressure);
     state.volume[i] = scales.mass / state.density[i];

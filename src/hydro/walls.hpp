@@ -34,6 +34,7 @@ class Walls {
  private:
   template <class Kernel>
   Vec mirrored(State<D>& state, const Kernel& kernel, double t, std::size_t i) const;
+  double pressure_at(const State<D>& state, std::size_t i, const Vec& force) const;  // [Pa]; force [m/s^2] on the fluid
 
   WallMotion<D> motion_;
   std::optional<WallFit<D>> fit_;  // where walls are of second order

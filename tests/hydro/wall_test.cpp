@@ -59,6 +59,37 @@ Shot shoot(const scene::Scene& scene, const base::Vec<2>& velocity, double surfa
   return shot;
 }
 
+// A stream past a cylinder with ten particles across, whose boundary layer is thinner than the kernel's reach.
+double worst_density_of_a_stream(scene::WallForm walls, std::uint64_t& bounces) {
+  auto scene = box_scene(2, 6.0, 0.1, 0.01);
+  scene.domain.upper[1] = 4.0;
+  scene.materials.push_back({"cylinder", scene::MaterialType::wall, 0, 0, 0, {}, {}});
+  scene.regions.push_back(
+      {std::make_shared<scene::Shape>(scene::Shape{scene::BallShape{{2.0, 2.0, 0.0}, 0.5}}), 1, {}});
+  scene.effects.bounce_back = true;
+  scene.flow.initial_velocity = {{1.0, ""}, {0.0, ""}};
+  scene.flow.reference_speed = 1.5;
+  scene.numerics.walls = walls;
+  auto fluid = make_fluid<2>(scene);
+  fluid.advance(1.5);  // the sound of the sudden start has passed
+  double worst = 0.0;
+  for (int k = 0; k < 20; ++k) {
+    fluid.advance(1.5 + 0.1 * (k + 1));
+    for (const auto i : fluid.state().rows.fluid()) worst = std::max(worst, std::abs(fluid.state().density[i] - 1.0));
+  }
+  bounces = fluid.bounces();
+  return worst;
+}
+
+TEST(Walls, AThinBoundaryLayerIsNotTakenForAParabola) {
+  std::uint64_t bounces = 0, fitted_bounces = 0;
+  const double careful = worst_density_of_a_stream(scene::WallForm::automatic, bounces);
+  const double fitted = worst_density_of_a_stream(scene::WallForm::second_order, fitted_bounces);
+  EXPECT_LT(careful, 0.03);
+  EXPECT_LT(careful, 0.8 * fitted);
+  EXPECT_LE(bounces, 2u);
+}
+
 }  // namespace
 
 class Slabs : public ::testing::TestWithParam<int> {};

@@ -48,6 +48,7 @@ const std::map<std::string, std::string> short_time{
     {"validation/floating-cylinder/model.toml", "0.02 s"},
     {"validation/isochoric-box/model.toml", "0.02 s"},
     {"validation/microchannel-rod/model.toml", "2 us"},
+    {"validation/cavity-3d/model.toml", "0.002 s"},
     {"validation/circular-couette/model.toml", "0.01 s"},
     {"validation/inclined-couette/model.toml", "0.01 s"},
     {"validation/lid-driven-cavity/model.toml", "0.01 s"},

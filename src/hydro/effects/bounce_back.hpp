@@ -5,7 +5,7 @@
 // (Printed: v_i.n in place of the relative velocity, both signs of the condition, and a code without the self term that
 // fires 0.21 spacings early.) A wall thinner than the support never fills half of it; so a particle that comes nearer
 // than half a spacing, measured along n, to the layer of its nearest wall particle and still approaches is thrown back
-// too.
+// too. Elastic solids, which are known by their particles only, are guarded so; rigid walls have shapes (WallGuard).
 #include <optional>
 
 #include "hydro/state.hpp"

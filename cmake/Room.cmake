@@ -6,6 +6,8 @@ target_compile_options(shmoo_flags INTERFACE
   -Wno-maybe-uninitialized -Wno-restrict)  # false alarms of g++ 12 in aggregates and strings
 if(SHMOO_ARCH)
   target_compile_options(shmoo_flags INTERFACE -march=${SHMOO_ARCH})
+else()  # vectors wider than the processor's registers: none crosses the border of a library
+  target_compile_options(shmoo_flags INTERFACE -Wno-psabi)
 endif()
 if(SHMOO_SANITIZE)
   target_compile_options(shmoo_flags INTERFACE -fsanitize=${SHMOO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -14,8 +14,6 @@ namespace {
 constexpr double layers = 3;
 constexpr int columns = 40;
 
-bool chooses_steps(const scene::Scene& scene) { return scene::quasi_static(scene) && !scene.mechanics.step; }
-
 // [m], or 0 where the wall is no ring.
 double thickness(const scene::Scene& scene) {
   for (const auto& region : scene.regions)
@@ -47,7 +45,7 @@ std::vector<Moment> coarse_course(const scene::Scene& scene, const Maker& make, 
   scene::Scene coarse = scene;
   coarse.domain.spacing = thickness(scene) / layers;
   coarse.mechanics.columns = columns;
-  if (!chooses_steps(scene) || !(coarse.domain.spacing > scene.domain.spacing)) return {};
+  if (!scene::quasi_static(scene) || !(coarse.domain.spacing > scene.domain.spacing)) return {};
   std::vector<Moment> course;
   double begin = base::cpu_seconds();
   const auto spent = [&] { return base::cpu_seconds() - begin; };

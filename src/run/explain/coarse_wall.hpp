@@ -1,7 +1,8 @@
 #pragma once
-// How long a quasi-static wall takes whose steps error control chooses: the first are a thousandth of the last, and
-// the pace of the part that was played says little. A coarse wall, though, takes much the same steps, and is gone
-// through to the end in a second or two: what it needs after that part, over what it needs until there, tells the rest.
+// How long a quasi-static wall takes. Where error control chooses its steps the first are a thousandth of the last, and
+// where they are given the first find their equilibria with more pains: the pace of the part that was played says
+// little. A coarse wall, though, takes much the same steps, and is gone through to the end in a second or two: what it
+// needs after that part, over what it needs until there, tells the rest.
 #include "run/explain/rehearsal.hpp"
 
 namespace shmoo::run {

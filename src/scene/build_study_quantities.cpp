@@ -143,8 +143,12 @@ StudyNorm norm_of(const Section& section, std::string_view key, StudyNorm fallba
 void read_times(const Section& section, StudyQuantity& quantity) {
   if (const auto* node = section.good("time"))
     quantity.times = node->is_array() ? quantities_of(*node) : std::vector<double>{quantity_of(*node)};
-  const std::array<std::pair<const char*, std::optional<std::array<double, 2>>*>, 3> windows{
-      {{"average", &quantity.average}, {"amplitude", &quantity.amplitude}, {"period", &quantity.period}}};
+  const std::array<std::pair<const char*, std::optional<std::array<double, 2>>*>, 5> windows{
+      {{"average", &quantity.average},
+       {"amplitude", &quantity.amplitude},
+       {"period", &quantity.period},
+       {"harmonic", &quantity.harmonic},
+       {"harmonic_period", &quantity.harmonic_period}}};
   const char* given = nullptr;
   for (const auto& [key, member] : windows) {
     const auto window = section.quantities(key);

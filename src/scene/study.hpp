@@ -46,6 +46,8 @@ struct StudyQuantity {
   std::optional<std::array<double, 2>> average;      // [s]: the mean over the records in between
   std::optional<std::array<double, 2>> amplitude{};  // [s]: half of what lies between its extremes in between
   std::optional<std::array<double, 2>> period{};     // [s]: the first period of the course in between
+  // [s]: amplitude or period of the strongest oscillation in between
+  std::optional<std::array<double, 2>> harmonic{}, harmonic_period{};
   ShapePointer region;                               // null: everywhere
   StudyReference reference;
   StudyNorm norm = StudyNorm::rms, published_norm = StudyNorm::rms;

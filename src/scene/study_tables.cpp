@@ -76,7 +76,8 @@ Table quantity_table() {
   return {
       "study_quantity",
       "[[quantity]]",
-      "What is measured. Without `time`, `average`, `amplitude` and `period` it is taken at the last record.",
+      "What is measured. Without `time` and the windows `average`, `amplitude`, `period`, `harmonic` and "
+      "`harmonic_period` it is taken at the last record.",
       {{"name", {text("letters, digits, _ and -")}, true, "", "what it is called"},
        {"field",
         {text("the name of a species or field")},
@@ -107,6 +108,17 @@ Table quantity_table() {
         "",
         "the first period of an observable in the records from the first time to the second: between crossings, in "
         "the same direction, of the middle between its extremes"},
+       {"harmonic",
+        {list({quantity(dimensions::time, not_negative)}, 2, 2)},
+        false,
+        "",
+        "amplitude of the strongest sine in an observable from the first time to the second, by least squares: noise "
+        "moves it little"},
+       {"harmonic_period",
+        {list({quantity(dimensions::time, not_negative)}, 2, 2)},
+        false,
+        "",
+        "the period of that sine"},
        {"reference", {subtable("study_reference")}, true, "", "what it should be"},
        {"norm",
         {choice({"rms", "maximum", "root_sum_over_n"})},

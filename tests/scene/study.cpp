@@ -81,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             head + quantity + reference + "colour = 1\n",
             "S:18:1: error: quantity.0.colour: unknown key; allowed here: name, field, observable, component, time, "
-            "average, amplitude, period, reference, norm, scale, relative, published, published_norm, shape, "
+            "average, amplitude, period, harmonic, harmonic_period, reference, norm, scale, relative, published, "
+            "published_norm, shape, "
             "and the keys of a shape"},
         Mistake{head + "[[quantity]]\nname = \"q\"\nfield = \"c\"\n" + reference,
                 "S:16:9: error: quantity.0.field: the model has no field \"c\"; it has: C"},

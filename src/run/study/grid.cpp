@@ -34,6 +34,9 @@ std::string taken_text(const scene::Study& study) {
     if (q.average) text += fmt::format(" {} {}", (*q.average)[0], (*q.average)[1]);
     if (q.amplitude) text += fmt::format(" amplitude {} {}", (*q.amplitude)[0], (*q.amplitude)[1]);
     if (q.period) text += fmt::format(" period {} {}", (*q.period)[0], (*q.period)[1]);
+    if (q.harmonic) text += fmt::format(" harmonic {} {}", (*q.harmonic)[0], (*q.harmonic)[1]);
+    if (q.harmonic_period)
+      text += fmt::format(" harmonic_period {} {}", (*q.harmonic_period)[0], (*q.harmonic_period)[1]);
     text += '\n';
   }
   return text;

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "run/plot/plot.hpp"
+#include "run/study/harmonic.hpp"
 
 namespace shmoo::run::study {
 namespace {
@@ -142,6 +143,20 @@ void add_period(const ResultFile& result, const Entry& entry, const Course& cour
   add_place(sample, 0, 0, 0, begin + period, period);
 }
 
+// Of the mean over realisations.
+Harmonic harmonic_of(const ResultFile& result, const Entry& entry, const Course& course,
+                     const std::array<double, 2>& window) {
+  if (entry.cells() != 1) throw base::RunError(fmt::format("{} is a profile; only a number swings", entry.name));
+  std::vector<double> time, value;
+  for (const auto t : records_in(result, window)) {
+    time.push_back(result.times[t]);
+    value.push_back(course.all.mean[t]);
+  }
+  if (time.size() < 4)
+    throw base::RunError(fmt::format("{} records lie in the window of a harmonic; four are the least", time.size()));
+  return strongest_harmonic(time, value);
+}
+
 double mean_of(const std::vector<std::uint64_t>& values) {
   double sum = 0.0;
   for (const auto value : values) sum += double(value);
@@ -173,6 +188,16 @@ Sample take(const ResultFile& result, const scene::StudyQuantity& quantity) {
   }
   if (quantity.period) {
     add_period(result, entry, course, *quantity.period, sample);
+    return sample;
+  }
+  if (quantity.harmonic) {
+    const auto harmonic = harmonic_of(result, entry, course, *quantity.harmonic);
+    add_place(sample, 0, 0, 0, (*quantity.harmonic)[1], harmonic.amplitude);
+    return sample;
+  }
+  if (quantity.harmonic_period) {
+    const auto harmonic = harmonic_of(result, entry, course, *quantity.harmonic_period);
+    add_place(sample, 0, 0, 0, (*quantity.harmonic_period)[1], harmonic.period);
     return sample;
   }
   for (const auto time : records(result, quantity.times))

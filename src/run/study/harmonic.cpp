@@ -1,0 +1,50 @@
+#include "run/study/harmonic.hpp"
+
+#include <Eigen/Dense>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace shmoo::run {
+namespace {
+
+constexpr int oversampling = 10;  // frequencies tried within the width of a peak
+
+struct Fit {
+  double amplitude, rest;  // rest: sum of squares that the fit leaves
+};
+
+Fit fit(std::span<const double> time, std::span<const double> value, double frequency) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  double squares = 0.0;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const double phase = 2.0 * std::numbers::pi * frequency * (time[k] - time[0]);
+    const Eigen::Vector3d base(1.0, std::cos(phase), std::sin(phase));
+    normal += base * base.transpose();
+    right += value[k] * base;
+    squares += value[k] * value[k];
+  }
+  const Eigen::Vector3d solution = normal.ldlt().solve(right);
+  return {std::hypot(solution[1], solution[2]), squares - solution.dot(right)};
+}
+
+}  // namespace
+
+Harmonic strongest_harmonic(std::span<const double> time, std::span<const double> value) {
+  const double length = time.back() - time.front(), lowest = 1.0 / length;
+  const double step = lowest / oversampling, highest = 0.5 * double(time.size() - 1) * lowest;
+  const auto rest = [&](double frequency) { return fit(time, value, frequency).rest; };
+  double best = lowest;
+  double least = rest(best);
+  for (int k = oversampling + 1; step * k < highest; ++k) {
+    const double now = rest(step * k);
+    if (!(now < least)) continue;
+    least = now;
+    best = step * k;
+  }
+  const auto found = boost::math::tools::brent_find_minima(rest, best - step, best + step, 40);
+  return {fit(time, value, found.first).amplitude, 1.0 / found.first};
+}
+
+}  // namespace shmoo::run

@@ -108,4 +108,16 @@ TEST(CurvedSurface, ConductsBetweenBallsByTheirRadii) {
   EXPECT_NEAR(errors(exact, overrides).in, 0.0, 0.01);
 }
 
+// A slab from 0 to 1 between regions that are held and end there, a particle on either surface: C0 (1 - x) after 20 s.
+TEST(PlaneSurface, EndsASlabWhereTheRegionEnds) {
+  const auto lab = test::laboratory("validation/diffusion-1d/model.toml", {{"species.C.method", "\"deterministic\""},
+                                                                           {"numerics.tolerance", "1e-9"},
+                                                                           {"run.until", "\"20 s\""},
+                                                                           {"run.record_every", "\"20 s\""},
+                                                                           {"run.record_at", "[]"}});
+  const auto& n = lab.shared.at("C", 1);
+  ASSERT_EQ(n.size(), 17u);
+  for (std::size_t i = 1; i < 16; ++i) EXPECT_NEAR(n[i] / 1e4, 1.0 - double(i) / 16.0, 1e-5) << i;
+}
+
 }  // namespace

@@ -42,8 +42,6 @@ scene::Overrides tube_at(int cells, double c0, const std::string& method, const 
   return {{"domain.origin", "[" + number(-0.5 * dx, "m") + "]"},
           {"domain.size", "[" + number(1.0 + dx, "m") + "]"},
           {"domain.spacing", number(dx, "m")},
-          {"region.0.upper", "[" + number(0.5 * dx, "m") + "]"},
-          {"region.1.lower", "[" + number(1.0 - 0.5 * dx, "m") + "]"},
           {"boundary.0.value", number(c0, "molecules/m^3")},
           {"boundary.2.value", number(c0, "molecules/m^3")},
           {"species.A.method", "\"" + method + "\""},

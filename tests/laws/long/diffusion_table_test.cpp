@@ -37,8 +37,6 @@ scene::Overrides slab_at(int cells, double c0, const std::string& method) {
   return {{"domain.origin", "[" + exact(-0.5 * dx) + "]"},
           {"domain.size", "[" + exact(1.0 + dx) + "]"},
           {"domain.spacing", exact(dx)},
-          {"region.0.upper", "[" + exact(0.5 * dx) + "]"},
-          {"region.1.lower", "[" + exact(1.0 - 0.5 * dx) + "]"},
           {"boundary.0.value", value},
           {"species.C.method", "\"" + method + "\""},
           {"numerics.sampler", "\"split\""},  // exact for pure diffusion at any step, and fast

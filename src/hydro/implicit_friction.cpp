@@ -26,24 +26,18 @@ void for_each_lane(const State<D>& state, Function&& function) {
   }
 }
 
-bool has_mirrors(const scene::Scene& scene) {
-  const auto slips = [](const scene::Side& side) { return side.type == scene::SideType::slip; };
-  return std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(),
-                     [&](const auto& axis) { return slips(axis[0]) || slips(axis[1]); });
-}
-
 }  // namespace
 
 template <int D>
 bool ImplicitFriction<D>::chosen(const scene::Scene& scene, const Scales<D>& scales) {
   if (!scene.effects.viscosity || !(scales.viscosity + scales.bulk_viscosity > 0.0)) return false;
   const bool wanted = scene.numerics.viscous_step == scene::ViscousStep::implicit_step;
-  if (wanted && has_mirrors(scene))
+  if (wanted && scene::has_mirrors(scene))
     throw base::InputError(
         "numerics.viscous_step = \"implicit\" does not know the mirror images of sides of type \"slip\"; remove it, or "
         "make these sides \"wall\" or \"periodic\"");
   if (scene.numerics.viscous_step != scene::ViscousStep::automatic) return wanted;
-  if (has_mirrors(scene)) return false;
+  if (scene::has_mirrors(scene)) return false;
   if (scene::has_solids(scene)) return false;  // they take the opposite of forces, not of such impulses
   std::vector<StepLimit> others, friction;
   list_base_limits(scales, others);

@@ -118,6 +118,7 @@ void check_requests(const Asked& asked, const Scene& scene) {
     if (asked.value(effect) == true && !given) asked.error(effect, what);
   };
   needs("bounce_back", has_walls(scene), "there are no walls to turn particles back; remove it");
+  needs("closed_room", !has_open_sides(scene), "fluid passes an open side of the domain; remove it");
   needs("species_advection", !scene.species.empty(), "there are no species to carry; remove it");
   needs("thermal_noise", scene.flow.thermal_energy.has_value(), "needs flow.temperature or flow.thermal_energy");
   needs("thermal_noise", asked.value("viscosity") != false,
@@ -163,6 +164,7 @@ void build_effects(const Section& root, Scene& scene) {
                     fmt::format("a flow (because of {}) needs a reach of at least {} spacings", why, least_reach));
   check_requests(asked, scene);
   effects.bounce_back = has_walls(scene);
+  effects.closed_room = !has_open_sides(scene);
   effects.species_advection = !scene.species.empty();
   effects.transport_velocity = asked.value("thermal_noise") != true;
   for (const auto& [name, member] : of_flow) effects.*member = asked.value(name).value_or(effects.*member);

@@ -109,7 +109,8 @@ Table effects_table() {
        effect("viscosity", "true", "friction inside the fluid"),
        effect("density_diffusion", "true", "smooths the density"),
        effect("transport_velocity", "true without thermal noise", "shifts particles towards even spacing"),
-       effect("bounce_back", "true where there are walls", "turns particles back that come too close to a wall"),
+       effect("bounce_back", "true where there are walls", "turns back what runs into a wall"),
+       effect("closed_room", "true without open sides", "keeps the density that fills a room without open sides"),
        effect("thermal_noise", "false",
               "random forces of the heat bath; needs flow.temperature or flow.thermal_energy"),
        effect("species_advection", "true where there are species", "the flow carries species")}};

@@ -16,6 +16,12 @@ inline bool has_open_sides(const Scene& scene) {
                      [](const auto& axis) { return is_open(axis[0].type) || is_open(axis[1].type); });
 }
 
+inline bool has_mirrors(const Scene& scene) {
+  const auto slips = [](const Side& side) { return side.type == SideType::slip; };
+  return std::any_of(scene.domain.sides.begin(), scene.domain.sides.end(),
+                     [&](const auto& axis) { return slips(axis[0]) || slips(axis[1]); });
+}
+
 // Whether species act back on what moves.
 inline bool acts_back(const Scene& scene) {
   if (scene.effects.flow && !scene.flow.buoyancy.empty()) return true;

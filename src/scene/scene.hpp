@@ -90,12 +90,20 @@ inline bool is_open(SideType type) { return type == SideType::inlet || type == S
 // Whether the fluid rubs on it. A side that only reflects species is a wall to a fluid.
 inline bool has_friction(SideType type) { return type == SideType::wall || type == SideType::reflect; }
 
+// Where fluid particles stand closer together than elsewhere.
+struct Refinement {
+  ShapePointer shape;
+  double spacing = 0;  // [m]
+  base::Location where;
+};
+
 struct Domain {
   Point lower{}, upper{};                      // [m]
   double spacing = 0;                          // [m]
   std::array<std::array<Side, 2>, 3> sides{};  // [axis][0 = min, 1 = max]
   int material = -1;                           // what fills all that no region covers; -1: nothing
   double jitter = 0;                           // random displacement of each starting position, in spacings (uniform in +-jitter per axis)
+  std::vector<Refinement> refinements{};
 };
 
 // ---- chemistry -----------------------------------------------------------------------------------------------------
@@ -211,17 +219,19 @@ struct Effects {
   bool viscosity = true;
   bool density_diffusion = true;
   bool transport_velocity = true;  // shifting towards even spacing
-  bool bounce_back = true;         // boundary-volume-fraction guard at walls
+  bool bounce_back = true;         // guard of walls against what runs into them
+  bool closed_room = true;         // what drifts from the volume of a closed room is taken back
   bool thermal_noise = false;
   bool species_advection = true;   // the flow carries species (also the exchange under the transport velocity)
 };
 
 struct EffectKey { const char* name; bool Effects::*on; };
-inline constexpr std::array<EffectKey, 7> effect_keys{{{"flow", &Effects::flow},
+inline constexpr std::array<EffectKey, 8> effect_keys{{{"flow", &Effects::flow},
                                                        {"viscosity", &Effects::viscosity},
                                                        {"density_diffusion", &Effects::density_diffusion},
                                                        {"transport_velocity", &Effects::transport_velocity},
                                                        {"bounce_back", &Effects::bounce_back},
+                                                       {"closed_room", &Effects::closed_room},
                                                        {"thermal_noise", &Effects::thermal_noise},
                                                        {"species_advection", &Effects::species_advection}}};
 

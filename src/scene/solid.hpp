@@ -42,7 +42,7 @@ struct Elastic {
   std::vector<Quantity> initial_velocity;   // [m/s], one per axis; empty: at rest
   std::array<double, 3> body_force{};       // [m/s^2], acceleration
   double artificial_stress = 0.2;           // [1] of hooke_jaumann, against clumping in tension
-  double artificial_viscosity = 0.1;        // [1] of hooke_jaumann, Monaghan's alpha
+  double artificial_viscosity = 1.0;        // [1] of hooke_jaumann, Monaghan's alpha
 };
 
 // A species enters the wall around its tip, its end on the axis that is farthest along x, through all its thickness:

@@ -60,6 +60,9 @@ TEST(ClosedRoom, IsNamedWhereTheFluidFillsItAndOnlyThere) {
   scene.effects.transport_velocity = false;
   EXPECT_FALSE(named(scene)) << "nothing makes density drift";
   scene = cavity_scene(20, 100);
+  scene.effects.closed_room = false;
+  EXPECT_FALSE(named(scene)) << "told off";
+  scene = cavity_scene(20, 100);
   scene.domain.material = -1;
   scene.regions.push_back(
       {std::make_shared<scene::Shape>(scene::Shape{scene::BoxShape{{0.0, 0.0, 0.0}, {1.0, 0.5, 0.0}}}), 0, {}});

@@ -6,6 +6,7 @@
 
 #include "coupling/observables.hpp"
 #include "coupling/rules/rule.hpp"
+#include "scene/motion.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -120,6 +121,14 @@ Verdict judge_bounce_back(const scene::Scene& scene, const Numbers& numbers, dou
   return {false, value, "no particle moves far enough to reach a wall"};
 }
 
+Verdict judge_closed_room(const scene::Scene& scene, const Numbers& numbers, double threshold) {
+  if (!scene.effects.flow) return no_flow();
+  const double value = path(scene, numbers);
+  if (scene::has_open_sides(scene)) return {false, value, "the fluid may leave"};
+  if (value > threshold) return {true, value, "particles move far enough for their summed volumes to drift"};
+  return {false, value, "particles hardly leave their places"};
+}
+
 Verdict judge_advection(const scene::Scene& scene, const Numbers& numbers, double threshold) {
   if (!scene.effects.flow) return no_flow();
   const double value = peclet(numbers);
@@ -145,6 +154,9 @@ constexpr EffectRule rules[] = {
     {"bounce_back", "U t/dp, spacings that a particle moves", 0.5,
      "derivation: a particle starts half a spacing from a wall's surface", judge_bounce_back,
      "the guard against particles that enter walls; nothing physical"},
+    {"closed_room", "U t/dp, spacings that a particle moves", 0.1,
+     "measured: shifted particles gain 0.1 % of mean density a second in a cavity", judge_closed_room,
+     "the volume that fluid and solids have together; nothing physical"},
     {"species_advection", "Pe = U L/kappa of the slowest carried species", 0.01,
      "advection-diffusion equation: carried over diffusive flux", judge_advection,
      "transport of species with the fluid, Pe"},

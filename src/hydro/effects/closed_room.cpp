@@ -62,7 +62,7 @@ std::optional<ClosedRoom<D>> ClosedRoom<D>::choose(const scene::Scene& scene) {
     return material.type == scene::MaterialType::wall && material.motion && !keeps_volumes(*material.motion);
   };
   const bool drifts = scene.effects.transport_velocity || scene::has_solids(scene);
-  if (!drifts || scene::has_open_sides(scene) || std::any_of(scene.materials.begin(), scene.materials.end(), opens))
+  if (!scene.effects.closed_room || !drifts || scene::has_open_sides(scene) || std::any_of(scene.materials.begin(), scene.materials.end(), opens))
     return std::nullopt;
   return ClosedRoom{};
 }

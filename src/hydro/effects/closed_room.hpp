@@ -21,7 +21,7 @@ struct ClosedRoom {
 
   double room = 0;  // [m^D] of fluid and solids together
 
-  // Where something makes mean density drift, no side is open and walls leave the room as large as it is: those at
+  // Unless told off, where something makes mean density drift, no side is open and walls leave the room as large as it is: those at
   // rest, turning ones, and straining ones that keep volumes.
   static std::optional<ClosedRoom> choose(const scene::Scene& scene);
   // Takes the room as the fluid now fills it.

@@ -70,7 +70,7 @@ class FluidInMotion final : public LiveFlow<D> {
     picture.velocity = by_id([&](std::size_t i) { return fluid_.velocity(i); });
     picture.density = by_id([&](std::size_t i) { return state.density[i]; });
     picture.pressure = by_id([&](std::size_t i) { return state.pressure[i]; });
-    if (fluid_.open_sides()) picture.particle = by_id([&](std::size_t i) { return double(fluid_.particles().id[i]); });
+    if (fluid_.places()) picture.particle = by_id([&](std::size_t i) { return double(fluid_.particles().id[i]); });
     picture.kinetic_energy = fluid_.kinetic_energy();
     picture.max_speed = fluid_.max_speed();
     picture.temperature = fluid_.temperature();
@@ -123,7 +123,7 @@ class FluidInMotion final : public LiveFlow<D> {
   auto by_id(Get get) const {
     using Value = std::decay_t<decltype(get(0))>;
     std::vector<Value> values(voxels_ + reserve_, empty(Value{}));
-    const auto& place = fluid_.open_sides() ? fluid_.open_sides()->place() : fluid_.particles().id.values();
+    const auto& place = fluid_.places() ? fluid_.places()->of_particles() : fluid_.particles().id.values();
     for (std::size_t i = 0; i < fluid_.particles().size(); ++i) {
       if (place[i] < values.size()) values[place[i]] = get(i);
     }

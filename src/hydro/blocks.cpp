@@ -10,18 +10,52 @@ namespace {
 
 constexpr std::size_t blocks_per_chunk = 64;  // fixed, so that nothing depends on the number of threads
 
+// How far partners are listed [m]: of a block, and, of that, the squares for eight slots.
+struct OneCutoff {
+  double cutoff;
+  struct Within {
+    double limit;
+    Lane squared(std::size_t) const { return same(limit); }
+  };
+  double farthest(const Block&) const { return cutoff; }
+  Within within(const Block&) const { return {cutoff * cutoff}; }
+};
+
+struct OwnCutoffs {
+  double cutoff;
+  const OwnReach& own;
+  const double* smoothing;  // of slots
+  struct Within {
+    double from;
+    const double* smoothing;
+    Lane squared(std::size_t slot) const {
+      const Lane distance = from + load(smoothing + slot);
+      return distance * distance;
+    }
+  };
+  double largest_in(const Block& block) const {
+    const auto first = own.smoothing.begin() + block.first;
+    return *std::max_element(first, first + block.size);
+  }
+  double farthest(const Block& block) const { return cutoff - own.largest + largest_in(block); }
+  Within within(const Block& block) const { return {farthest(block) - own.largest, smoothing}; }
+};
+
 }  // namespace
 
 template <int D>
-void Blocks<D>::build(sph::Particles<D>& particles) {
+void Blocks<D>::build(sph::Particles<D>& particles, const OwnReach* own) {
   measure(particles.position.values());
   sort(particles);
   lay_blocks();
   add_others();
   place_slots();
+  smoothing.resize(own ? particle_.size() + lanes : 0);
+  if (own) for_slots([&](std::size_t s, std::size_t i) { smoothing[s] = own->smoothing[i]; });
   chunks_.resize((blocks_.size() + blocks_per_chunk - 1) / blocks_per_chunk);
 #pragma omp parallel for schedule(dynamic) if (worth_threads(fluid_))
-  for (std::size_t c = 0; c < chunks_.size(); ++c) list_partners(c);
+  for (std::size_t c = 0; c < chunks_.size(); ++c)
+    own ? list_partners(c, OwnCutoffs{cutoff_, *own, smoothing.data()}) : list_partners(c, OneCutoff{cutoff_});
 }
 
 // The extent of all particles, and columns in which a block of eight is about as wide as high.
@@ -183,7 +217,8 @@ double Blocks<D>::follow(const std::vector<Vec>& position) {
 }
 
 template <int D>
-void Blocks<D>::list_partners(std::size_t c) {
+template <class Cutoff>
+void Blocks<D>::list_partners(std::size_t c, const Cutoff& cutoff) {
   Chunk& chunk = chunks_[c];
   std::size_t size = 0;
   for (std::size_t b = c * blocks_per_chunk; b < std::min((c + 1) * blocks_per_chunk, blocks_.size()); ++b) {
@@ -196,11 +231,13 @@ void Blocks<D>::list_partners(std::size_t c) {
       lower = lower.cwiseMin(anchor_[i]);
       upper = upper.cwiseMax(anchor_[i]);
     }
-    fluid_columns_.visit(lower, upper, cutoff_, [&](std::size_t column, std::uint32_t begin, std::uint32_t end) {
-      append(chunk, block, lower, upper, begin + padding_[column], end + padding_[column]);
+    const double farthest = cutoff.farthest(block);
+    const auto within = cutoff.within(block);
+    fluid_columns_.visit(lower, upper, farthest, [&](std::size_t column, std::uint32_t begin, std::uint32_t end) {
+      append(chunk, block, lower, upper, begin + padding_[column], end + padding_[column], within);
     });
-    other_columns_.visit(lower, upper, cutoff_, [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
-      append(chunk, block, lower, upper, begin + block_slots(), end + block_slots());
+    other_columns_.visit(lower, upper, farthest, [&](std::size_t, std::uint32_t begin, std::uint32_t end) {
+      append(chunk, block, lower, upper, begin + block_slots(), end + block_slots(), within);
     });
     size += block.partners;
     const std::int32_t* list = chunk.partners.data() + block.begin;
@@ -213,14 +250,15 @@ void Blocks<D>::list_partners(std::size_t c) {
 
 // Appends the slots begin .. end - 1 that lie within the cutoff of the block's extent.
 template <int D>
+template <class Within>
 void Blocks<D>::append(Chunk& chunk, Block& block, const Vec& lower, const Vec& upper, std::size_t begin,
-                       std::size_t end) {
+                       std::size_t end, const Within& within) {
   std::size_t size = block.begin + block.partners;
   if (chunk.partners.size() < size + (end - begin) + lanes)
     chunk.partners.resize(2 * size + (end - begin) + 100 * lanes);
   std::int32_t* list = chunk.partners.data();
-  const double limit = cutoff_ * cutoff_;
   for (std::size_t s = begin; s < end; s += lanes) {
+    const Lane limit = within.squared(s);
     Lane gap2{};
     for (int a = 0; a < D; ++a) {
       const Lane x = load(coordinate[std::size_t(a)].data() + s);
@@ -230,7 +268,7 @@ void Blocks<D>::append(Chunk& chunk, Block& block, const Vec& lower, const Vec& 
     const std::size_t most = std::min<std::size_t>(end - s, lanes);
     for (std::size_t l = 0; l < most; ++l) {
       list[size] = std::int32_t(s + l);
-      size += gap2[l] < limit;
+      size += gap2[l] < limit[l];
     }
   }
   block.partners = std::uint32_t(size - block.begin);

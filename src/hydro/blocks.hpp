@@ -28,6 +28,12 @@ struct Block {
   bool at_wall = false;        // solids are among them
 };
 
+// Where particles differ in reach: those of a pair meet within the mean of theirs.
+struct OwnReach {
+  const std::vector<double>& smoothing;  // [m] half a reach, by particle
+  double largest;                        // [m] of them
+};
+
 template <int D>
 class Blocks {
  public:
@@ -38,8 +44,9 @@ class Blocks {
   Blocks(const base::Box<D>& box, double cutoff, double spacing, const Mirrors& mirrors = {})
       : box_(box), mirrors_(mirrors), cutoff_(cutoff), spacing_(spacing) {}
 
-  // Sorts the particles, fluid first, and lists the partners of every block. Positions must be wrapped.
-  void build(sph::Particles<D>& particles);
+  // Sorts the particles, fluid first, and lists the partners of every block. Positions must be wrapped. `own` is null
+  // where all have one reach, which the cutoff is for; else the cutoff is for the largest.
+  void build(sph::Particles<D>& particles, const OwnReach* own = nullptr);
   // Takes the coordinates anew. Returns the square of the largest way [m^2] gone since build().
   double follow(const std::vector<Vec>& position);
 
@@ -56,6 +63,7 @@ class Blocks {
   std::uint32_t particle(std::size_t slot) const { return particle_[slot]; }
   std::uint32_t slot(std::size_t particle) const { return slot_[particle]; }  // of one that flows
   std::array<LaneArray, D> coordinate;                                        // [m] of slots
+  LaneArray smoothing;                                                        // [m] of slots, where reaches differ
 
   // Whether a slot holds an image in a mirror across this axis, whose velocity along it is turned round.
   bool mirrored(std::size_t slot, int axis) const {
@@ -108,8 +116,11 @@ class Blocks {
   void sort(sph::Particles<D>& particles);
   void lay_blocks();
   void add_others();
-  void list_partners(std::size_t chunk);
-  void append(Chunk& chunk, Block& block, const Vec& lower, const Vec& upper, std::size_t begin, std::size_t end);
+  template <class Cutoff>
+  void list_partners(std::size_t chunk, const Cutoff& cutoff);
+  template <class Within>
+  void append(Chunk& chunk, Block& block, const Vec& lower, const Vec& upper, std::size_t begin, std::size_t end,
+              const Within& within);
   void place_slots();
   double snap(double x) const { return (x + grain_) - grain_; }
   Vec snapped(const Vec& x) const {

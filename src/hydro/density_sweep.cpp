@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hydro/lane_matrix.hpp"
+#include "hydro/pair_reach.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -10,13 +11,13 @@ namespace {
 // Below this determinant of the second moment, 1 for full support, a particle has too few neighbours for a correction.
 constexpr double least_support = 0.02;
 
-template <int D, class Kernel, class Density, class Diffusion, class Transport>
+template <int D, class Reach, class Density, class Diffusion, class Transport>
 class DensitySweep {
  public:
-  DensitySweep(State<D>& state, const Kernel& kernel, const Density& density, const Diffusion& diffusion,
+  DensitySweep(State<D>& state, const Reach& reach, const Density& density, const Diffusion& diffusion,
                const Transport& transport, double dt, double next_dt)
       : state_(state),
-        kernel_(kernel),
+        reach_(reach),
         density_(density),
         diffusion_(diffusion),
         transport_(transport),
@@ -28,6 +29,7 @@ class DensitySweep {
     const Block& block = state_.rows.blocks[b];
     const std::int32_t* near = state_.rows.blocks.near(block);
     Own own;
+    own.reach = reach_.own(b);
     for (int a = 0; a < D; ++a) {
       own.x[a] = load(coordinate(a) + lanes * b);
       own.v[a] = state_.slots.own_velocity(b, a);
@@ -41,6 +43,7 @@ class DensitySweep {
  private:
   struct Own {
     Lane x[D], v[D], density;
+    [[no_unique_address]] typename Reach::Own reach;
   };
   struct Sums {
     Lane second[D][D];       // sum_j V_j F x x^T (a <= b)
@@ -56,7 +59,7 @@ class DensitySweep {
     Block& block = blocks[b];
     const std::int32_t* partners = blocks.partners(block);
     std::int32_t* near = blocks.near(block);
-    const double limit = kernel_.reach() * kernel_.reach();
+    const auto reach = reach_.own(b);
     Lane own[D];
     for (int a = 0; a < D; ++a) own[a] = load(coordinate(a) + lanes * b);
     std::uint32_t found = 0;
@@ -68,7 +71,7 @@ class DensitySweep {
         r2 = fma(d, d, r2);
       }
       near[found] = slot;
-      found += any_below(r2, limit);
+      found += reach_.any_within(r2, reach, std::size_t(slot));
     }
     block.near = found;
   }
@@ -83,15 +86,17 @@ class DensitySweep {
       pair.v[a] = own.v[a] - slots.velocity[std::size_t(a)][slot];
     }
     const Lane r = pair.r = r2 * inverse_root(r2);
-    pair.FV = kernel_.F(r) * slots.volume[slot];
+    const auto& kernel = reach_.of(own.reach, slot);
+    pair.FV = kernel.F(r) * slots.volume[slot];
     for (int a = 0; a < D; ++a) {
       const Lane Fx = pair.FV * pair.x[a];
       for (int b = a; b < D; ++b) sums.second[a][b] = fma(Fx, pair.x[b], sums.second[a][b]);
       for (int b = 0; b < D; ++b) sums.gradient.at[b][a] = fma(Fx, pair.v[b], sums.gradient.at[b][a]);
     }
-    if constexpr (Density::summed) sums.kernel += kernel_.W(r);
+    if constexpr (Density::summed) sums.kernel += kernel.W(r);
     if constexpr (present<Diffusion>) {
       pair.density = slots.density[slot] - own.density;
+      if constexpr (Reach::differ && Diffusion::by_reach) pair.density /= kernel.stretch;
       Diffusion::add(pair, sums.diffusion);
     }
     if constexpr (present<Transport>) Transport::add(pair, sums.transport);
@@ -106,6 +111,13 @@ class DensitySweep {
     return now + dt_ * rate;
   }
 
+  void shift(std::size_t b, const Sums& sums, Lane (&dv)[D]) const {
+    if constexpr (Reach::differ)
+      transport_.shift(sums.transport, next_dt_, reach_.own(b).smoothing / state_.scales.smoothing, dv);
+    else
+      transport_.shift(sums.transport, next_dt_, dv);
+  }
+
   void finish(std::size_t b, const Sums& sums) {
     const Block& block = state_.rows.blocks[b];
     const auto B = symmetric_inverse<D>(sums.second, least_support);
@@ -117,7 +129,7 @@ class DensitySweep {
     // Volumes by summed densities do not fill the space that particles have: without this fluctuating fluids are too
     // thin.
     if constexpr (Density::summed) scaling *= density / state_.scales.density;
-    if constexpr (present<Transport>) transport_.shift(sums.transport, next_dt_, dv);
+    if constexpr (present<Transport>) shift(b, sums, dv);
     for (int a = 0; a < D; ++a) {
       acceleration[a] = Lane{};
       if constexpr (present<Transport>) {
@@ -127,12 +139,14 @@ class DensitySweep {
     for (std::uint32_t l = 0; l < block.size; ++l) {
       const std::size_t i = block.first + l;
       state_.density[i] = density[l];
-      state_.volume[i] = state_.scales.mass / density[l];
+      state_.volume[i] = reach_.mass(i) / density[l];
       state_.pressure[i] = state_.scales.pressure(density[l]);
       if (state_.scaling) (*state_.scaling)[i] = scaling[l];
       for (int a = 0; a < D; ++a) {
         state_.acceleration[i][a] = acceleration[a][l];
         if constexpr (present<Transport>) (*state_.shift)[i][a] = dv[a][l];
+        if constexpr (Reach::differ)
+          for (int c = 0; c < D; ++c) (*state_.gradient)[i](a, c) = gradient.at[a][c][l];
         if (!state_.correction) continue;
         for (int c = 0; c < D; ++c) (*state_.correction)[i](a, c) = B.at[a][c][l];
       }
@@ -140,7 +154,7 @@ class DensitySweep {
   }
 
   State<D>& state_;
-  const Kernel& kernel_;
+  Reach reach_;
   const Density& density_;
   const Diffusion& diffusion_;
   const Transport& transport_;
@@ -153,11 +167,20 @@ template <int D>
 void sweep_density(State<D>& state, const sph::AnyKernel<D>& any_kernel, const Effects<D>& effects, double dt,
                    double next_dt) {
   const std::size_t blocks = state.rows.blocks.size();
-  std::visit(
-      [&](const auto& kernel, const auto& density, const auto& diffusion, const auto& transport) {
-        DensitySweep sweep(state, kernel, density, diffusion, transport, dt, next_dt);
+  const auto run = [&](auto&& sweep) {
 #pragma omp parallel for schedule(static) if (worth_threads(lanes * blocks))
-        for (std::size_t b = 0; b < blocks; ++b) sweep.block(b);
+    for (std::size_t b = 0; b < blocks; ++b) sweep.block(b);
+  };
+  if constexpr (D == 2) {
+    const auto refined = [&]<class Kernel>(const Kernel& kernel, const auto& diffusion, const auto& transport) {
+      run(DensitySweep(state, MeanReach<D, Kernel>(state, kernel), DensityByContinuity{}, diffusion, transport, dt,
+                       next_dt));
+    };
+    if (state.share) return std::visit(refined, any_kernel, effects.density_diffusion, effects.transport_velocity);
+  }
+  std::visit(
+      [&]<class Kernel>(const Kernel& kernel, const auto& density, const auto& diffusion, const auto& transport) {
+        run(DensitySweep(state, OneReach<D, Kernel>(state, kernel), density, diffusion, transport, dt, next_dt));
       },
       any_kernel, effects.density, effects.density_diffusion, effects.transport_velocity);
 }

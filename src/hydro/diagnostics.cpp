@@ -10,7 +10,7 @@ namespace shmoo::hydro {
 template <int D>
 double Fluid<D>::kinetic_energy() const {
   double sum = 0.0;
-  for (const std::uint32_t i : state_.rows.fluid()) sum += state_.velocity[i].squaredNorm();
+  for (const std::uint32_t i : state_.rows.fluid()) sum += state_.share_of(i) * state_.velocity[i].squaredNorm();
   return 0.5 * state_.scales.mass * state_.scales.depth * sum;
 }
 
@@ -24,7 +24,7 @@ double Fluid<D>::max_speed() const {
 template <int D>
 base::Vec<D> Fluid<D>::momentum() const {
   Vec sum = Vec::Zero();
-  for (const std::uint32_t i : state_.rows.fluid()) sum += state_.velocity[i];
+  for (const std::uint32_t i : state_.rows.fluid()) sum += state_.share_of(i) * state_.velocity[i];
   return state_.scales.mass * state_.scales.depth * sum;
 }
 
@@ -52,13 +52,19 @@ double Fluid<D>::density_error() const {
 template <int D>
 double Fluid<D>::smallest_distance() const {
   double smallest = std::numeric_limits<double>::infinity();
+  // The square of the mean of two particles' spacings, over that of the coarse ones.
+  const auto relative_area = [&](std::size_t i, std::size_t j) {
+    if (!state_.share) return 1.0;
+    const double mean = 0.5 * (state_.spacing(i) + state_.spacing(j)) / state_.scales.spacing;
+    return mean * mean;
+  };
   const auto& blocks = state_.rows.blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
     for (std::uint32_t k = 0; k < block.partners; ++k) {
       const std::size_t j = blocks.particle(std::size_t(blocks.partners(block)[k]));
       for (std::size_t i = block.first; j < blocks.fluid() && i < block.first + block.size; ++i) {
-        if (i != j) smallest = std::min(smallest, state_.separation(i, j).squaredNorm());
+        if (i != j) smallest = std::min(smallest, state_.separation(i, j).squaredNorm() / relative_area(i, j));
       }
     }
   }

@@ -55,7 +55,8 @@ void Fluid<D>::fill_stress() {
               slots.velocity[std::size_t(a)][s] = state_.rows.blocks.mirrored(s, a) ? -v[a] : v[a];
           }
           slots.volume[s] = state_.volume[i];
-          slots.stress[s] = pressure.stress(state_.pressure[i], state_.volume[i]);
+          slots.stress[s] = state_.share ? by_volume(pressure).stress(state_.pressure[i], state_.volume[i])
+                                         : pressure.stress(state_.pressure[i], state_.volume[i]);
           if (state_.scaling) slots.scaling[s] = (*state_.scaling)[i];
           if (state_.noise) slots.id[s] = state_.particles.id[i];
         });

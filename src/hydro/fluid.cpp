@@ -12,6 +12,7 @@
 #include "hydro/initial_velocity.hpp"
 #include "hydro/solid/reaction_sweep.hpp"
 #include "scene/motion.hpp"
+#include "scene/refinement.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -24,6 +25,8 @@ template <int D>
 Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
     : solids_(scene, filling),
       open_(scene::has_open_sides(scene) ? std::make_optional<OpenSides<D>>(scene, filling) : std::nullopt),
+      spacings_(scene::refined(scene) ? std::make_optional<Spacings<D>>(scene) : std::nullopt),
+      places_(open_ || spacings_ ? std::make_optional<Places>(filling) : std::nullopt),
       mirrors_(filling.mirrors),
       enclosed_(is_enclosed(filling)),
       state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
@@ -50,16 +53,17 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
   effects_.require_columns(state_);
   for (const auto& axis : mirrors_) any_mirror_ = any_mirror_ || axis[0] || axis[1];
   auto& particles = state_.particles;
+  if (spacings_) spacings_->prepare(state_);
+  if (places_) places_->prepare(particles);
   const InitialVelocity<D> initial(scene);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     state_.density[i] = state_.scales.density;
-    state_.volume[i] = state_.scales.mass / state_.scales.density;
+    state_.volume[i] = state_.mass(i) / state_.scales.density;
     state_.pressure[i] = state_.scales.background;
     if (particles.role[i] == sph::Role::fluid) state_.velocity[i] = initial(particles.position[i]);
   }
   walls_.prepare(state_, scene);
   solids_.prepare(state_, scene);
-  if (open_) open_->prepare(state_);
   if (!enclosed_) effects_.closed_room.reset();
   if (effects_.closed_room) effects_.closed_room->prepare(state_, solids_.solids().volume());
   find_step();
@@ -68,8 +72,9 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
 
 template <int D>
 void Fluid<D>::find_step() {
-  list_base_limits(state_.scales, limits_);
-  effects_.limits(state_.scales, limits_);
+  const auto finest = state_.scales.of_finest();
+  list_base_limits(finest, limits_);
+  effects_.limits(finest, limits_);
   solids_.limits(state_.scales, limits_);
   const auto smallest = std::min_element(limits_.begin(), limits_.end(),
                                          [](const StepLimit& a, const StepLimit& b) { return a.value < b.value; });
@@ -88,7 +93,7 @@ void Fluid<D>::restart() {
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (particles.role[i] != sph::Role::fluid) continue;
     particles.position[i] = state_.box.wrap(particles.position[i]);
-    state_.volume[i] = state_.scales.mass / state_.density[i];
+    state_.volume[i] = state_.mass(i) / state_.density[i];
     state_.pressure[i] = state_.scales.pressure(state_.density[i]);
     fastest_ = std::max(fastest_, state_.velocity[i].squaredNorm());
   }
@@ -101,15 +106,16 @@ void Fluid<D>::restart() {
 
 template <int D>
 void Fluid<D>::rebuild() {
-  if (open_) open_->exchange(state_, time_);
-  state_.rows.build(state_.particles);
+  if (open_) open_->exchange(state_, *places_, time_);
+  if (spacings_) spacings_->exchange(state_, *places_);
+  state_.rows.build(state_.particles, state_.smoothing ? &state_.smoothing->values() : nullptr);
   solids_.locate(state_);
   if (open_) open_->locate(state_);
 }
 
 template <int D>
 double Fluid<D>::step_limit() const {
-  const double movement = most_movement * state_.scales.spacing;
+  const double movement = most_movement * state_.scales.finest;
   return fastest_ * dt_ > movement ? movement / fastest_ : dt_;
 }
 

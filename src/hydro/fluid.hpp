@@ -10,6 +10,7 @@
 #include "hydro/open/open_sides.hpp"
 #include "hydro/scales.hpp"
 #include "hydro/solid/immersion.hpp"
+#include "hydro/spacings/spacings.hpp"
 #include "hydro/state.hpp"
 #include "hydro/wall_guard.hpp"
 #include "hydro/wall_load.hpp"
@@ -71,8 +72,11 @@ class Fluid {
   Vec momentum() const;              // [kg m/s]
   WallLoad<D> wall_load(std::uint16_t material, const Vec& about) const;  // on a solid; layers beyond a side included
 
-  // Where particles enter and leave; null without open sides. A particle's place in records is in the column `place`.
+  // Where particles enter and leave, and where they are split and merged; null where they do not.
   const OpenSides<D>* open_sides() const { return open_ ? &*open_ : nullptr; }
+  const Spacings<D>* spacings() const { return spacings_ ? &*spacings_ : nullptr; }
+  // The places of particles in records; null where they are the ids, as none comes or goes.
+  const Places* places() const { return places_ ? &*places_ : nullptr; }
   std::uint64_t bounces() const { return bounces_; }  // velocities thrown back at walls so far
   std::uint64_t draws() const { return draws_; }      // random numbers drawn so far, each pair's counted once
   std::vector<std::string> effects() const { return effects_.names(); }
@@ -84,7 +88,7 @@ class Fluid {
   Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare);  // without effects
   void initialise(const scene::Scene& scene);
   void find_step();
-  void rebuild();             // lets particles in and out, and lists who is near whom
+  void rebuild();             // lets particles in and out, splits and merges them, and lists who is near whom
   double step_limit() const;  // [s] now
   void evaluate(double dt);
   void kick(double dt, double root);
@@ -101,6 +105,8 @@ class Fluid {
   std::vector<StepLimit> limits_;
   Immersion<D> solids_;
   std::optional<OpenSides<D>> open_;
+  std::optional<Spacings<D>> spacings_;
+  std::optional<Places> places_;
   typename Blocks<D>::Mirrors mirrors_;
   bool any_mirror_ = false, enclosed_;
   State<D> state_;

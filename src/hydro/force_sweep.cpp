@@ -2,19 +2,21 @@
 
 #include <optional>
 
+#include "hydro/pair_reach.hpp"
+
 namespace shmoo::hydro {
 namespace {
 
-template <int D, class Kernel, class Pressure, class Friction, class Noise>
+template <int D, class Reach, class Pressure, class Friction, class Noise>
 class ForceSweep {
  public:
   static constexpr bool scaled = present<Friction> || present<Noise>;
   static constexpr bool sees_velocity = present<Friction> || Pressure::sees_velocity;
   using Ids = base::LaneRandom::Words;
 
-  ForceSweep(State<D>& state, const Kernel& kernel, const Pressure& pressure, const Friction& friction,
+  ForceSweep(State<D>& state, const Reach& reach, const Pressure& pressure, const Friction& friction,
              const Noise& noise, std::uint64_t step)
-      : state_(state), kernel_(kernel), pressure_(pressure), friction_(friction), noise_(noise) {
+      : state_(state), reach_(reach), pressure_(pressure), friction_(friction), noise_(noise) {
     if constexpr (present<Noise>) random_ = noise.at(step);
   }
 
@@ -47,6 +49,7 @@ class ForceSweep {
   struct Own {
     Lane x[D], v[D], volume, stress, scaling;
     Ids id;
+    [[no_unique_address]] typename Reach::Own reach;
   };
   struct Sums {
     Lane force[D], pressure[D], impulse[D];
@@ -57,6 +60,7 @@ class ForceSweep {
     const auto& slots = state_.slots;
     const std::size_t first = lanes * b;
     Own own;
+    own.reach = reach_.own(b);
     for (int a = 0; a < D; ++a) {
       own.x[a] = load(coordinate(a) + first);
       own.v[a] = slots.own_velocity(b, a);
@@ -79,7 +83,7 @@ class ForceSweep {
       if constexpr (sees_velocity) pair.v[a] = own.v[a] - slots.velocity[std::size_t(a)][slot];
     }
     pair.inverse_r = inverse_root(pair.r2);
-    pair.F = kernel_.F(Lane(pair.r2 * pair.inverse_r));
+    pair.F = reach_.of(own.reach, slot).F(Lane(pair.r2 * pair.inverse_r));
     pair.V_i = own.volume;
     pair.V_j = slots.volume[slot];
     pair.stress_i = own.stress;
@@ -95,9 +99,9 @@ class ForceSweep {
 
   std::uint64_t finish(const Block& block, const Sums& sums) {
     std::uint64_t draws = 0;
-    const double mass = state_.scales.mass;
     for (std::uint32_t l = 0; l < block.size; ++l) {
       const std::size_t i = block.first + l;
+      const double mass = reach_.mass(i);
       base::Vec<D> force, pressure;
       for (int a = 0; a < D; ++a) {
         force[a] = sums.force[a][l];
@@ -114,7 +118,7 @@ class ForceSweep {
   const double* coordinate(int axis) const { return state_.rows.blocks.coordinate[std::size_t(axis)].data(); }
 
   State<D>& state_;
-  const Kernel& kernel_;
+  Reach reach_;
   const Pressure& pressure_;
   Friction friction_;
   const Noise& noise_;
@@ -132,16 +136,31 @@ std::uint64_t sweep_forces(State<D>& state, const sph::AnyKernel<D>& any_kernel,
 #pragma omp parallel for schedule(static) reduction(+ : draws) if (worth_threads(lanes * blocks))
     for (std::size_t b = 0; b < blocks; ++b) draws += sweep.block(b);
   };
+  if constexpr (D == 2) {
+    const auto refined = [&]<class Kernel, class Pressure, class Friction>(
+                             const Kernel& kernel, const Pressure& pressure, const Friction& friction) {
+      const auto form = by_volume(pressure);
+      using Reach = MeanReach<D, Kernel>;
+      run(ForceSweep<D, Reach, std::decay_t<decltype(form)>, Friction, Absent>(state, Reach(state, kernel), form,
+                                                                               friction, {}, step));
+    };
+    if (state.share) {
+      std::visit(refined, any_kernel, effects.pressure, effects.viscosity);
+      return draws;
+    }
+  }
   std::visit(
       [&]<class Kernel, class Pressure, class Friction, class Noise>(const Kernel& kernel, const Pressure& pressure,
                                                                      const Friction& friction, const Noise& noise) {
+        using Reach = OneReach<D, Kernel>;
+        const Reach reach(state, kernel);
         if constexpr (present<Friction> && !present<Noise>) {
           using Across = ViscosityAcross<D>;
           if (friction.beta == 0.0)
             return run(
-                ForceSweep<D, Kernel, Pressure, Across, Noise>(state, kernel, pressure, {friction.alpha}, noise, step));
+                ForceSweep<D, Reach, Pressure, Across, Noise>(state, reach, pressure, {friction.alpha}, noise, step));
         }
-        run(ForceSweep<D, Kernel, Pressure, Friction, Noise>(state, kernel, pressure, friction, noise, step));
+        run(ForceSweep<D, Reach, Pressure, Friction, Noise>(state, reach, pressure, friction, noise, step));
       },
       any_kernel, effects.pressure, effects.viscosity, effects.thermal_noise);
   return draws;

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "hydro/effects/thermal_noise.hpp"
 #include "scene/motion.hpp"
+#include "scene/refinement.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -37,7 +38,7 @@ bool ImplicitFriction<D>::chosen(const scene::Scene& scene, const Scales<D>& sca
         "numerics.viscous_step = \"implicit\" does not know the mirror images of sides of type \"slip\"; remove it, or "
         "make these sides \"wall\" or \"periodic\"");
   if (scene.numerics.viscous_step != scene::ViscousStep::automatic) return wanted;
-  if (scene::has_mirrors(scene)) return false;
+  if (scene::has_mirrors(scene) || scene::refined(scene)) return false;
   if (scene::has_solids(scene)) return false;  // they take the opposite of forces, not of such impulses
   std::vector<StepLimit> others, friction;
   list_base_limits(scales, others);

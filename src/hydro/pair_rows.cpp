@@ -22,11 +22,16 @@ PairRows<D>::PairRows(const base::Box<D>& box, double reach, double skin, double
 }
 
 template <int D>
-void PairRows<D>::build(sph::Particles<D>& particles) {
-  blocks.build(particles);
+void PairRows<D>::build(sph::Particles<D>& particles, const std::vector<double>* smoothing) {
+  if (smoothing) {
+    const OwnReach own{*smoothing, 0.5 * reach_};
+    blocks.build(particles, &own);
+  } else {
+    blocks.build(particles);
+  }
   fluid_.resize(blocks.fluid());
   std::iota(fluid_.begin(), fluid_.end(), 0U);
-  list_rows(particles);
+  list_rows(particles, smoothing);
   ++builds_;
 }
 
@@ -37,7 +42,7 @@ bool PairRows<D>::follow(const sph::Particles<D>& particles) {
 
 // Of solids, and of the blocks that have some about.
 template <int D>
-void PairRows<D>::list_rows(const sph::Particles<D>& particles) {
+void PairRows<D>::list_rows(const sph::Particles<D>& particles, const std::vector<double>* smoothing) {
   const std::size_t n = particles.size();
   std::vector<std::uint32_t> wanted;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -53,7 +58,7 @@ void PairRows<D>::list_rows(const sph::Particles<D>& particles) {
     row.clear();
     for (std::size_t k = c * rows_per_chunk; k < std::min((c + 1) * rows_per_chunk, wanted.size()); ++k) {
       const std::size_t before = row.size();
-      list_row(particles, wanted[k], row);
+      list_row(particles, smoothing, wanted[k], row);
       first_[wanted[k] + 1] = row.size() - before;
     }
   }
@@ -71,15 +76,19 @@ void PairRows<D>::list_rows(const sph::Particles<D>& particles) {
 
 // Appends the partners of particle i, if i is solid or any of them is.
 template <int D>
-void PairRows<D>::list_row(const sph::Particles<D>& particles, std::size_t i, std::vector<std::int32_t>& row) const {
+void PairRows<D>::list_row(const sph::Particles<D>& particles, const std::vector<double>* smoothing, std::size_t i,
+                           std::vector<std::int32_t>& row) const {
   const auto& x = particles.position.values();
-  const double limit = cutoff() * cutoff();
+  const auto limit = [&](std::size_t j) {
+    const double within = smoothing ? (*smoothing)[i] + (*smoothing)[j] + skin_ : cutoff();
+    return within * within;
+  };
   const bool flows = i < blocks.fluid();
   const std::size_t before = row.size();
   bool met_solid = !flows;
   blocks.visit_around(i, [&](std::size_t j) {
     if (j == i || (!flows && j >= blocks.fluid())) return;
-    if (!(box_.nearest(x[i] - x[j]).squaredNorm() < limit)) return;
+    if (!(box_.nearest(x[i] - x[j]).squaredNorm() < limit(j))) return;
     row.push_back(std::int32_t(j));
     met_solid = met_solid || j >= blocks.fluid();
   });

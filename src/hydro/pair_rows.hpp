@@ -22,8 +22,9 @@ class PairRows {
   PairRows(const base::Box<D>& box, double reach, double skin, double spacing,
            const typename Blocks<D>::Mirrors& mirrors = {});
 
-  // Sorts the particles, fluid first, and lists their pairs.
-  void build(sph::Particles<D>& particles);
+  // Sorts the particles, fluid first, and lists their pairs. `smoothing` [m], half a reach by particle, is null where
+  // all have one reach.
+  void build(sph::Particles<D>& particles, const std::vector<double>* smoothing = nullptr);
   // Takes the positions into the blocks. False where a pair may be missing, so that they must be built anew.
   bool follow(const sph::Particles<D>& particles);
 
@@ -48,8 +49,9 @@ class PairRows {
   struct Chunk {
     std::vector<std::int32_t> partner;
   };
-  void list_rows(const sph::Particles<D>& particles);
-  void list_row(const sph::Particles<D>& particles, std::size_t i, std::vector<std::int32_t>& row) const;
+  void list_rows(const sph::Particles<D>& particles, const std::vector<double>* smoothing);
+  void list_row(const sph::Particles<D>& particles, const std::vector<double>* smoothing, std::size_t i,
+                std::vector<std::int32_t>& row) const;
 
   base::Box<D> box_;
   double reach_, skin_;

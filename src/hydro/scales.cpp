@@ -13,6 +13,7 @@
 #include "hydro/open/opening.hpp"
 #include "hydro/speeds.hpp"
 #include "scene/motion.hpp"
+#include "scene/refinement.hpp"
 #include "sph/kernel.hpp"
 
 namespace shmoo::hydro {
@@ -172,6 +173,7 @@ Scales<D> scales_at_rest(const scene::Scene& scene, const sph::Filling<D>& filli
   const auto& fluid = only_fluid(scene);
   Scales<D> scales;
   scales.spacing = std::pow(filling.cell, 1.0 / D);
+  scales.finest = scene::refined(scene) ? 0.5 * scales.spacing : scales.spacing;
   scales.reach = scene.numerics.reach * scales.spacing;
   scales.smoothing = 0.5 * scales.reach;
   scales.density = fluid.density;
@@ -217,9 +219,22 @@ Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& fillin
     derived.push_back({"bulk viscosity", scales.bulk_viscosity, "Pa s",
                        "so that friction acts along the line of centres, for the torque on elastic solids"});
   }
+  if (scene::refined(scene))
+    derived.push_back({"fine spacing", scales.finest, "m", "half of domain.spacing, in [[refinement]]"});
   derived.push_back({"smoothing length", scales.smoothing, "m", "half the kernel's reach"});
   derived.push_back({"particle mass", scales.mass * scales.depth, "kg", "density times what one particle fills"});
   return scales;
+}
+
+template <int D>
+Scales<D> Scales<D>::of_finest() const {
+  Scales fine = *this;
+  const double narrowing = finest / spacing;
+  fine.spacing = finest;
+  fine.reach *= narrowing;
+  fine.smoothing *= narrowing;
+  fine.mass *= std::pow(narrowing, D);
+  return fine;
 }
 
 template <int D>
@@ -229,6 +244,8 @@ void list_base_limits(const Scales<D>& scales, std::vector<StepLimit>& limits) {
                     fmt::format("{:g} hs/(c0 + U)", scales.courant)});
 }
 
+template struct Scales<2>;
+template struct Scales<3>;
 template Scales<2> derive_scales(const scene::Scene&, const sph::Filling<2>&, std::vector<Derived>&);
 template Scales<3> derive_scales(const scene::Scene&, const sph::Filling<3>&, std::vector<Derived>&);
 template double driven_speed(const scene::Scene&, const sph::Filling<2>&);

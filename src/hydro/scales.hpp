@@ -28,7 +28,8 @@ struct StepLimit {
 
 template <int D>
 struct Scales {
-  double spacing = 0;         // [m] dp
+  double spacing = 0;         // [m] dp; this and what follows from it, of coarse particles where spacings differ
+  double finest = 0;          // [m] the smallest spacing
   double reach = 0;           // [m] radius of the kernel's support
   double smoothing = 0;       // [m] hs = reach/2
   double density = 0;         // [kg/m^3] rho0
@@ -49,6 +50,8 @@ struct Scales {
   double friction = 0;  // [1/s] rate at which the pair friction stops a lone particle among resting ones
 
   double lattice_sum = 0;  // [1/m^D] sum_j W_ij on the starting lattice, i included
+
+  Scales of_finest() const;  // what step limits look at
 
   double kinematic_viscosity() const { return viscosity / density; }  // [m^2/s] nu
   double pressure(double rho) const {                                 // [Pa] state equation

@@ -3,6 +3,7 @@
 // and the scales. In the columns `velocity`, `density`, `pressure` and `volume` a solid particle carries what the walls
 // extrapolated from the fluid; its true velocity is in `wall_velocity`.
 #include <algorithm>
+#include <cmath>
 
 #include "hydro/pair_rows.hpp"
 #include "hydro/scales.hpp"
@@ -20,7 +21,7 @@ struct State {
       : particles(std::move(filling.particles)),
         box(filling.box),
         scales(its_scales),
-        rows(box, scales.reach, skin(box, scales), scales.spacing, filling.mirrors),
+        rows(box, scales.reach, skin(box, scales), scales.finest, filling.mirrors),
         velocity(particles.template require<Vec>("velocity", "m/s")),
         acceleration(particles.template require<Vec>("acceleration", "m/s^2")),
         density(particles.template require<double>("density", "kg/m^3")),
@@ -41,12 +42,22 @@ struct State {
 
   // The skin [m] by which rows reach beyond the kernel; smaller where a periodic box leaves less room.
   static double skin(const base::Box<D>& box, const Scales<D>& scales) {
-    double width = 0.3 * scales.spacing;
+    double width = 0.3 * scales.finest;
     for (int a = 0; a < D; ++a) {
       if (box.periodic[a]) width = std::min(width, 0.5 * (box.upper[a] - box.lower[a]) - scales.reach);
     }
     return std::max(width, 0.0);
   }
+
+  // Only where spacings differ.
+  sph::Column<double>* share = nullptr;      // [1] m_i over the mass of the scales
+  sph::Column<double>* smoothing = nullptr;  // [m] hs_i, half of its own reach; pairs meet within hs_i + hs_j
+  sph::Column<Mat>* gradient = nullptr;      // [1/s] d v_a/d x_b, as the density sweep found it
+
+  double share_of(std::size_t i) const { return share ? (*share)[i] : 1.0; }
+  double mass(std::size_t i) const { return share_of(i) * scales.mass; }                           // [kg/m^(3-D)]
+  double spacing(std::size_t i) const { return scales.spacing * std::pow(share_of(i), 1.0 / D); }  // [m]
+  double reach(std::size_t i) const { return smoothing ? 2.0 * (*smoothing)[i] : scales.reach; }   // [m]
 
   // Only where something asked for them.
   sph::Column<double>* scaling = nullptr;         // s_i of the friction

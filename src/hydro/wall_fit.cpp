@@ -76,8 +76,8 @@ void WallFit<D>::prepare(State<D>& state, const sph::Surface<D>& surface, bool c
     if (!rigid) continue;
     const auto point = surface.nearest(particles.position[i], state.rows.cutoff());
     // Around a ball smaller than the reach the fit would see fluid on all sides of it.
-    if (!point || std::abs(point->curvature) * state.scales.reach > 1.0) continue;
-    if (careful && !surface.smooth_about(*point, state.scales.reach)) continue;
+    if (!point || std::abs(point->curvature) * state.reach(i) > 1.0) continue;
+    if (careful && !surface.smooth_about(*point, state.reach(i))) continue;
     (*normal_)[i] = point->normal;
     (*depth_)[i] = (point->place - particles.position[i]).dot(point->normal);
     (*curvature_)[i] = point->curvature;
@@ -142,7 +142,7 @@ template <int D>
 template <class Kernel>
 typename WallFit<D>::Sums WallFit<D>::moments(const State<D>& state, const WallMotion<D>& motion, const Kernel& kernel,
                                               double t, const Foot& foot_of, const sph::SurfacePoint<D>& point) const {
-  const double scale = 1.0 / state.scales.reach;
+  const double reach = state.reach(foot_of.solids.front()), scale = 1.0 / reach, stretch = state.scales.reach / reach;
   const auto& position = state.particles.position.values();
   const SurfaceSpeeds<D> wall(motion, state.particles.material[foot_of.solids.front()], point.place, t);
   Lane normal[D], distances[3]{}, dv[D]{}, d2v[D]{}, largest2{};
@@ -158,7 +158,7 @@ typename WallFit<D>::Sums WallFit<D>::moments(const State<D>& state, const WallM
     }
     const Lane inverse = inverse_root(steep2), steep = steep2 * inverse;
     const Lane d = (2.0 * dot<D>(from, normal) + point.curvature * r2) / (1.0 + steep);
-    const Lane W = d > 0.0 ? Lane(eight.live * kernel.W(Lane(r2 * inverse_root(r2)))) : Lane{};
+    const Lane W = d > 0.0 ? Lane(eight.live * kernel.W(Lane(stretch * (r2 * inverse_root(r2))))) : Lane{};
     eight.of<D>(state.velocity.values(), v);
     for (int a = 0; a < D; ++a) {
       out[a] *= inverse;
@@ -183,16 +183,15 @@ typename WallFit<D>::Sums WallFit<D>::moments(const State<D>& state, const WallM
 // A boundary layer thinner than the kernel is no parabola, and fits to it throw the fluid about (a cylinder at Re = 100
 // with ten particles across loses its drag by them).
 template <int D>
-double WallFit<D>::trust(const State<D>& state, const Sums& sums) const {
+double WallFit<D>::trust(const State<D>& state, double reach, const Sums& sums) const {
   if (!limited_) return 1.0;
-  const double cell = std::sqrt(sums.largest2) * state.scales.reach / state.scales.kinematic_viscosity();
+  const double cell = std::sqrt(sums.largest2) * reach / state.scales.kinematic_viscosity();
   return std::clamp(2.0 - cell / most_viscous, 0.0, 1.0);
 }
 
 template <int D>
 void WallFit<D>::apply(State<D>& state, const WallMotion<D>& motion, const sph::AnyKernel<D>& any_kernel, double t) {
   follow(state);
-  const double scale = 1.0 / state.scales.reach;
   std::visit(
       [&](const auto& kernel) {
 #pragma omp parallel for schedule(static) if (worth_threads(8 * feet_.size()))
@@ -204,7 +203,7 @@ void WallFit<D>::apply(State<D>& state, const WallMotion<D>& motion, const sph::
           const Sums sums = moments(state, motion, kernel, t, feet_[f], point);
           if (!(sums.d2 > 0.0)) continue;
           const Vec wall = motion.surface_velocity(material, point.place, t);
-          const double share = trust(state, sums);
+          const double reach = state.reach(any), scale = 1.0 / reach, share = trust(state, reach, sums);
           for (const std::uint32_t i : feet_[f].solids)
             state.velocity[i] += share * (sums.behind(scale * (*depth_)[i], point.normal) + wall - state.velocity[i]);
         }

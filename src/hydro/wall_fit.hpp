@@ -38,7 +38,7 @@ class WallFit {
     std::vector<std::uint32_t> solids, around;  // particles
   };
 
-  double trust(const State<D>& state, const Sums& sums) const;
+  double trust(const State<D>& state, double reach, const Sums& sums) const;
   bool fits(std::size_t i) const { return (*normal_)[i] != Vec::Zero(); }
   Vec foot(const State<D>& state, std::size_t i) const {
     return state.particles.position[i] + (*depth_)[i] * (*normal_)[i];

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "hydro/fluid.hpp"
+#include "hydro/pair_reach.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -28,8 +29,9 @@ class Loads {
   // The force [N/m^(3-D)] of fluid particle f on the solid particle w.
   template <class Kernel>
   base::Vec<D> force(const Kernel& kernel, std::size_t w, std::size_t f, const base::Vec<D>& x) const {
-    const double V_w = state_.volume[w], V_f = state_.volume[f], F = kernel.F(x.norm());
+    const double V_w = state_.volume[w], V_f = state_.volume[f], F = pair_F(state_, kernel, w, f, x.norm());
     base::Vec<D> force = F * (state_.pressure[w] * V_w * V_w + state_.pressure[f] * V_f * V_f) * x;
+    if (state_.share) force = F * (state_.pressure[w] + state_.pressure[f]) * V_w * V_f * x;
     if (!state_.scaling) return force;
     const double common = V_w * V_f * F * 0.5 * ((*state_.scaling)[w] + (*state_.scaling)[f]);
     const base::Vec<D> v = state_.velocity[w] - state_.velocity[f] - motion_.turning(state_.particles.material[w], x);

@@ -1,6 +1,6 @@
 #include "hydro/walls.hpp"
 
-#include "hydro/eights.hpp"
+#include "hydro/pair_reach.hpp"
 
 namespace shmoo::hydro {
 namespace {
@@ -68,7 +68,7 @@ base::Vec<D> Walls<D>::mirrored(State<D>& state, const Kernel& kernel, double t,
     Lane x[D], u[D];
     const Lane r2 =
         separations<D>(state.particles.position[i], eight, state.particles.position.values(), state.rows.axes(), x);
-    const Lane W = eight.live * kernel.W(Lane(r2 * inverse_root(r2)));
+    const Lane W = eight.live * pair_W(state, kernel, i, eight, Lane(r2 * inverse_root(r2)));
     for (std::uint32_t l = 0; l < eight.size; ++l) state.rows.weight[first + k + l] = W[l];
     weight += W;
     eight.of<D>(state.velocity.values(), u);
@@ -137,7 +137,7 @@ void Walls<D>::extrapolate_pressure(State<D>& state, double t) const {
     const double pressure = pressure_at(state, i, Vec(scales.body_force - a));
     state.pressure[i] = pressure;
     state.density[i] = scales.density_at(pressure);
-    state.volume[i] = scales.mass / state.density[i];
+    state.volume[i] = state.mass(i) / state.density[i];
   }
 }
 

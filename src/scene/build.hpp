@@ -59,6 +59,7 @@ void build_solids(const Section& root, Draft& draft);
 void build_mechanics(const Section& root, Scene& scene);
 void build_wall(const Section& root, Scene& scene);
 void build_effects(const Section& root, Scene& scene);
+void build_refinements(const Section& root, Scene& scene);
 void build_depth(const Section& root, Scene& scene);
 void build_observables(const Section& root, Scene& scene);
 void build_record(const Section& root, Scene& scene);

@@ -8,6 +8,7 @@
 #include "scene/build.hpp"
 #include "scene/expression.hpp"
 #include "scene/motion.hpp"
+#include "scene/refinement.hpp"
 
 namespace shmoo::scene {
 namespace {
@@ -66,7 +67,7 @@ void read_record(const Section& section, Scene& scene) {
   if (!scene.species.empty() && scene.compartments.empty()) known.emplace_back("volume");
   if (quasi_static(scene)) known.insert(known.end(), {"position", "hoop_strain", "hoop_stress"});
   if (in_motion(scene)) known.insert(known.end(), flow_fields.begin(), flow_fields.end());
-  if (has_open_sides(scene)) known.emplace_back("particle");
+  if (has_open_sides(scene) || refined(scene)) known.emplace_back("particle");
   for (const auto& [name, node] : section.names("record")) {
     if (std::find(known.begin(), known.end(), name) != known.end()) {
       scene.run.record.push_back(name);

@@ -40,6 +40,7 @@ void build(const Section& root, Draft& draft) {
   build_solids(root, draft);
   build_wall(root, draft);
   build_effects(root, draft);
+  if (!draft.well) build_refinements(root, draft);
   build_observables(root, draft);
   build_record(root, draft);
 }

@@ -13,7 +13,8 @@ namespace shmoo::scene {
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> joined;
-    for (const auto& part : {world_tables(), chemistry_tables(), flow_tables(), mechanics_tables(), run_tables()})
+    for (const auto& part :
+         {world_tables(), refinement_tables(), chemistry_tables(), flow_tables(), mechanics_tables(), run_tables()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();

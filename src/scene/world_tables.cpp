@@ -65,6 +65,7 @@ Table file_table() {
             "[]",
             "where the materials are; later regions overwrite earlier ones",
             Place::space},
+           {"refinement", {list({subtable("refinement")})}, false, "[]", "zones of a finer spacing", Place::space},
            parameters_key(),
            {"definitions",
             {named({expression("a formula"), number(any)}, "the name of a definition")},
@@ -188,8 +189,8 @@ Table material_table() {
       "material",
       "[materials.NAME]",
       "A fluid flows where the flow is on. A wall is rigid and does not slip. A solid is elastic; each is one body, "
-      "and "
-      "bodies feel each other through the fluid only. A still material never moves and does not act on a fluid: gels, "
+      "and bodies feel each other through the fluid only. A still material never moves and does not act on a fluid: "
+      "gels, "
       "slabs, wells of pure chemistry.",
       {{"type", {choice({"fluid", "wall", "solid", "still"})}, true, "", "what kind of material it is"},
        {"density",

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "sph/fine_zone.hpp"
 
 namespace shmoo::sph {
 namespace {
@@ -88,6 +89,7 @@ struct Placed {
   Vec<D> x;
   std::uint16_t material;
   Role role;
+  double share = 1.0;  // of a cell
 };
 
 template <int D>
@@ -140,6 +142,52 @@ std::size_t reserve_places(const scene::Scene& scene, const Lattice<D>& lattice,
     for (int b = 0; b < D; ++b) layer *= b == a ? 1 : std::size_t(lattice.inside[b]);
   }
   return layer == 0 ? 0 : voxels * 3 / 100 + 4 * layer;
+}
+
+// Those that are split before as many have been merged: a quarter of the fine ones.
+template <int D>
+std::size_t reserve_for_splits(const std::vector<Placed<D>>& inside) {
+  return std::size_t(std::count_if(inside.begin(), inside.end(), [](const auto& one) { return one.share < 1.0; })) / 4;
+}
+
+// Calls visit(index, place, share of a cell) for every point of the lattice, or the fine ones in its place.
+template <int D, class Visit>
+void each_place(const scene::Scene& scene, const Lattice<D>& lattice, Visit visit) {
+  if (scene.domain.refinements.empty())
+    return lattice.each([&](const Index<D>& k) { visit(k, lattice.place(k), 1.0); });
+  const FineZone<D> zone(scene);
+  lattice.each([&](const Index<D>& k) {
+    const Vec<D> x = lattice.place(k);
+    if (!(zone.depth(place_inside<D>(lattice, k)) > 0.0)) return visit(k, x, 1.0);
+    for (unsigned corner = 0; corner < 1U << D; ++corner) {
+      Vec<D> way = 0.25 * lattice.step;
+      for (int a = 0; a < D; ++a)
+        if ((corner >> a & 1U) == 0) way[a] = -way[a];
+      visit(k, Vec<D>(x + way), 1.0 / (1U << D));
+    }
+  });
+}
+
+// Puts what was placed into the store, the displaced ones where chance takes them.
+template <int D>
+void store(const scene::Scene& scene, const std::vector<Placed<D>>& all, Filling<D>& filling) {
+  auto& particles = filling.particles;
+  particles.resize(all.size());
+  auto* share = scene.domain.refinements.empty() ? nullptr : &particles.template require<double>("share", "1");
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Placed<D>& placed = all[i];
+    particles.position[i] = placed.x;
+    particles.id[i] = static_cast<std::uint32_t>(i);
+    particles.material[i] = placed.material;
+    particles.role[i] = placed.role;
+    if (share) (*share)[i] = placed.share;
+    if (placed.role == Role::wall || placed.role == Role::open || scene.domain.jitter == 0.0) continue;
+    base::RandomSequence random({scene.run.seed, 0}, base::Stream::placement, 0, static_cast<std::uint32_t>(i));
+    const double jitter = scene.domain.jitter * (placed.share == 1.0 ? 1.0 : std::pow(placed.share, 1.0 / D));
+    for (int a = 0; a < D; ++a)
+      particles.position[i][a] += (2.0 * random.uniform() - 1.0) * jitter * filling.spacing[a];
+    particles.position[i] = filling.box.wrap(particles.position[i]);
+  }
 }
 
 template <int D>
@@ -200,15 +248,14 @@ Filling<D> fill(const scene::Scene& scene) {
   filling.cell = lattice.step.prod();
   std::vector<Placed<D>> inside, beyond;
   std::vector<std::size_t> received(scene.regions.size(), 0);
-  lattice.each([&](const Index<D>& k) {
-    const Vec<D> x = lattice.place(k);
+  each_place<D>(scene, lattice, [&](const Index<D>& k, const Vec<D>& x, double share) {
     const int side = side_beyond<D>(scene.domain, lattice, k);
     if (side >= 0 && opens(scene.domain, side)) {
       if (const auto placed = beyond_opening<D>(scene, lattice, k)) beyond.push_back(*placed);
       return;
     }
     if (side >= 0) {
-      beyond.push_back({x, side_material(scene.materials.size(), side / 2, side % 2), Role::wall});
+      beyond.push_back({x, side_material(scene.materials.size(), side / 2, side % 2), Role::wall, share});
       return;
     }
     const int material = material_at(scene, x, received);
@@ -217,28 +264,15 @@ Filling<D> fill(const scene::Scene& scene) {
       return;
     }
     const auto type = scene.materials[static_cast<std::size_t>(material)].type;
-    inside.push_back({x, static_cast<std::uint16_t>(material), role_of(type)});
+    inside.push_back({x, static_cast<std::uint16_t>(material), role_of(type), share});
   });
   filling.voxels = inside.size();
-  filling.reserve = reserve_places<D>(scene, lattice, filling.voxels);
+  filling.reserve = reserve_places<D>(scene, lattice, filling.voxels) + reserve_for_splits<D>(inside);
   for (std::size_t a = 0; a < D; ++a)
     for (std::size_t side = 0; side < 2; ++side)
       filling.mirrors[a][side] = scene.domain.sides[a][side].type == scene::SideType::slip;
-  filling.particles.resize(inside.size() + beyond.size());
-  auto& particles = filling.particles;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Placed<D>& placed = i < inside.size() ? inside[i] : beyond[i - inside.size()];
-    particles.position[i] = placed.x;
-    particles.id[i] = static_cast<std::uint32_t>(i);
-    particles.material[i] = placed.material;
-    particles.role[i] = placed.role;
-    if (placed.role == Role::wall || placed.role == Role::open || scene.domain.jitter == 0.0) continue;
-    base::RandomSequence random({scene.run.seed, 0}, base::Stream::placement, 0, static_cast<std::uint32_t>(i));
-    for (int a = 0; a < D; ++a) {
-      particles.position[i][a] += (2.0 * random.uniform() - 1.0) * scene.domain.jitter * lattice.step[a];
-    }
-    particles.position[i] = filling.box.wrap(particles.position[i]);
-  }
+  inside.insert(inside.end(), beyond.begin(), beyond.end());
+  store(scene, inside, filling);
   refuse_empty(scene, filling, received);
   return filling;
 }

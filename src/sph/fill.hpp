@@ -12,13 +12,13 @@ namespace shmoo::sph {
 
 template <int D>
 struct Filling {
-  Particles<D> particles;
+  Particles<D> particles;  // where there are fine ones, with a column `share`, what each fills [cells]
   base::Box<D> box;
   base::Vec<D> spacing;              // [m] per axis: the extent divided by a whole number of particles
   std::size_t voxels = 0;            // particles inside the domain: ids 0 .. voxels-1
-  double cell = 0;                   // [m^D] what one particle fills on the lattice
+  double cell = 0;                   // [m^D] what one particle fills on the lattice, a coarse one where spacings differ
   std::vector<base::Vec<D>> vacant;  // [m] lattice points inside the domain that no region fills
-  std::size_t reserve = 0;           // places for particles that enter, above the voxels; 0 without open sides
+  std::size_t reserve = 0;           // places for particles that enter or are split, above the voxels; mostly 0
   std::array<std::array<bool, 2>, D> mirrors{};  // [axis][side] at which the fluid slips
 };
 

@@ -137,7 +137,7 @@ TEST(OpenSides, AnInletMayPulsateAndReverse) {
     std::set<std::uint32_t> now, places;
     for (std::size_t i = 0; i < fluid.particles().size(); ++i) {
       EXPECT_TRUE(now.insert(fluid.particles().id[i]).second);
-      const auto place = fluid.open_sides()->place()[i];
+      const auto place = fluid.places()->of(i);
       EXPECT_TRUE(place == no_place || places.insert(place).second);
     }
     for (const auto id : before)

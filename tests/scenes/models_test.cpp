@@ -42,6 +42,7 @@ const std::map<std::string, std::string> short_time{
     {"validation/annihilation-1d/model.toml", "0.01 s"},
     {"validation/beam/model.toml", "0.002 s"},
     {"validation/cylinder-re100/model.toml", "0.01 s"},
+    {"validation/cylinder-re100/refined.toml", "0.01 s"},
     {"validation/diffusion-1d/model.toml", "0.01 s"},
     {"validation/diffusion-2d/model.toml", "0.1 s"},
     {"validation/dimerisation/model.toml", "1 us"},

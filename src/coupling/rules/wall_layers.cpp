@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "coupling/rules/limits.hpp"
+#include "scene/refinement.hpp"
 #include "sph/fill.hpp"
+#include "sph/fine_zone.hpp"
 
 namespace shmoo::coupling {
 namespace {
@@ -58,12 +60,26 @@ class Occupation {
   std::vector<bool> solid_;
 };
 
+// Where spacings differ: the scene at the fine one everywhere, with twice as many layers beyond the sides.
+scene::Scene all_fine(scene::Scene scene) {
+  if (!scene::refined(scene)) return scene;
+  scene.domain.refinements.clear();
+  scene.domain.spacing *= 0.5;
+  scene.numerics.reach *= 2.0;
+  return scene;
+}
+
 // From every fluid particle along every axis: how many solids follow each other, where the first neighbour is one.
 template <int D>
 double thinnest(const scene::Scene& scene) {
-  const auto filling = sph::fill<D>(scene);
+  const scene::Scene fine = all_fine(scene);
+  const sph::FineZone<D> zone(scene);
+  const auto in_own_spacings = [&](long layers, const base::Vec<D>& x) {
+    return scene::refined(scene) && !(zone.depth(x) > 0.0) ? 0.5 * double(layers) : double(layers);
+  };
+  const auto filling = sph::fill<D>(fine);
   const Occupation<D> occupation(filling);
-  const long enough = std::lround(std::ceil(scene.numerics.reach));
+  const long enough = std::lround(std::ceil(fine.numerics.reach));
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < filling.particles.size(); ++i) {
     if (filling.particles.role[i] != sph::Role::fluid) continue;
@@ -74,7 +90,7 @@ double thinnest(const scene::Scene& scene) {
         next[std::size_t(way / 2)] += way % 2 == 0 ? 1 : -1;
         if (!occupation.solid(next)) break;
       }
-      if (layers > 0) least = std::min(least, double(layers));
+      if (layers > 0) least = std::min(least, in_own_spacings(layers, filling.particles.position[i]));
     }
   }
   return least;

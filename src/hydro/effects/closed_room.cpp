@@ -62,16 +62,18 @@ std::optional<ClosedRoom<D>> ClosedRoom<D>::choose(const scene::Scene& scene) {
     return material.type == scene::MaterialType::wall && material.motion && !keeps_volumes(*material.motion);
   };
   const bool drifts = scene.effects.transport_velocity || scene::has_solids(scene);
-  if (!scene.effects.closed_room || !drifts || scene::has_open_sides(scene) || std::any_of(scene.materials.begin(), scene.materials.end(), opens))
+  if (!scene.effects.closed_room || !drifts || scene::has_open_sides(scene) ||
+      std::any_of(scene.materials.begin(), scene.materials.end(), opens))
     return std::nullopt;
   return ClosedRoom{};
 }
 
 template <int D>
 void ClosedRoom<D>::prepare(const State<D>& state, double solids) {
-  const auto& role = state.particles.role.values();
-  const auto fluid = std::count(role.begin(), role.end(), sph::Role::fluid);
-  room = double(fluid) * state.scales.mass / state.scales.density + solids;
+  double fluid = 0.0;  // coarse particles
+  for (std::size_t i = 0; i < state.particles.size(); ++i)
+    if (state.particles.role[i] == sph::Role::fluid) fluid += state.share_of(i);
+  room = fluid * state.scales.mass / state.scales.density + solids;
 }
 
 template <int D>
@@ -85,7 +87,7 @@ void ClosedRoom<D>::apply(State<D>& state, double solids) const {
   for (std::size_t n = 0; n < fluid.size(); ++n) {
     const std::size_t i = fluid[n];
     state.density[i] *= factor;
-    state.volume[i] = state.scales.mass / state.density[i];
+    state.volume[i] = state.mass(i) / state.density[i];
     state.pressure[i] = state.scales.pressure(state.density[i]);
   }
 }

@@ -13,6 +13,7 @@ struct DensityDiffusion {
   static constexpr const char* name = "density diffusion";
   static constexpr double delta = 0.1;
   static constexpr int sums = 1;
+  static constexpr bool by_reach = true;  // the coefficient is one of a pair's hs
 
   double coefficient = 0;  // [m^2/s] 2 delta hs c0, weakened where viscous
 
@@ -35,6 +36,7 @@ struct DensityDiffusion {
 struct RiemannDiffusion {
   static constexpr const char* name = "density diffusion";
   static constexpr int sums = 1;
+  static constexpr bool by_reach = false;
 
   double sound_speed = 0;  // [m/s] c0
 

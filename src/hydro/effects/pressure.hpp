@@ -53,6 +53,24 @@ struct RiemannPressure {
   }
 };
 
+// m_i dv_i/dt = -sum_j V_i V_j (p_i + p_j) grad_i W_ij: what symmetric pressure is where particles differ in mass. The
+// form above weighs a pair of unlike volumes by (V_i^2 + V_j^2)/2, and pressure would push them apart.
+struct PressureByVolume {
+  static constexpr bool corrected = false, sees_velocity = false;
+  static double stress(double pressure, double) { return pressure; }
+  template <int D>
+  Lane coefficient(const ForcePair<D>& pair) const {
+    return (pair.stress_i + pair.stress_j) * (pair.V_i * pair.V_j) * pair.F;  // the same from either side
+  }
+};
+
+// The form that acts where masses differ.
+template <class Pressure>
+Pressure by_volume(const Pressure& pressure) {
+  return pressure;
+}
+inline PressureByVolume by_volume(const SymmetricPressure&) { return {}; }
+
 // The form that a scene asks for; by rule that which withstands shocks, where its own speed is far beyond those of a
 // weakly compressible flow.
 inline constexpr double most_subsonic = 0.3;  // Mach number

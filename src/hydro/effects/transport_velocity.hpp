@@ -36,6 +36,12 @@ struct TransportVelocity {
     const double coefficient = std::min(strength, most_displacement * smoothing * smoothing / dt);
     for (int a = 0; a < D; ++a) dv[a] = coefficient * sum[a];
   }
+  // The same where reaches differ: of particles with hs = narrowing * smoothing.
+  void shift(const Lane (&sum)[sums], double dt, const Lane& narrowing, Lane (&dv)[D]) const {
+    const Lane most = most_displacement * smoothing * smoothing / dt * narrowing * narrowing;
+    const Lane wanted = strength * narrowing, coefficient = wanted < most ? wanted : most;
+    for (int a = 0; a < D; ++a) dv[a] = coefficient * sum[a];
+  }
 };
 
 }  // namespace shmoo::hydro

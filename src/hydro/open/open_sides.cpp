@@ -20,21 +20,10 @@ constexpr double relaxation = 0.5;
 
 template <int D>
 OpenSides<D>::OpenSides(const scene::Scene& scene, const sph::Filling<D>& filling)
-    : openings_(openings_of<D>(scene, filling)),
-      voxels_(filling.voxels),
-      reserve_(filling.reserve),
-      next_id_(std::uint32_t(filling.particles.size())) {
+    : openings_(openings_of<D>(scene, filling)) {
   flux_.resize(openings_.size());
   crossing_ = filling.box.size()[openings_.front().axis];
   for (const auto& opening : openings_) gives_way_ = gives_way_ || opening.velocity;
-}
-
-template <int D>
-void OpenSides<D>::prepare(State<D>& state) {
-  place_ = &state.particles.template require<std::uint32_t>("place", "1");
-  for (std::size_t i = 0; i < state.particles.size(); ++i)
-    (*place_)[i] = state.particles.id[i] < voxels_ ? state.particles.id[i] : no_place;
-  for (std::size_t k = 0; k < reserve_; ++k) free_.push(std::uint32_t(voxels_ + k));
 }
 
 template <int D>
@@ -54,7 +43,7 @@ void OpenSides<D>::carry(State<D>& state, double dt) const {
 }
 
 template <int D>
-void OpenSides<D>::exchange(State<D>& state, double t) {
+void OpenSides<D>::exchange(State<D>& state, Places& places, double t) {
   auto& particles = state.particles;
   const double hesitant = hesitation * state.scales.spacing;
   std::vector<std::uint32_t> in;
@@ -65,7 +54,7 @@ void OpenSides<D>::exchange(State<D>& state, double t) {
     if (!flows && particles.role[i] != sph::Role::open) continue;
     const auto& opening = opening_beyond(particles.position[i]);
     const double beyond = opening.beyond(particles.position[i]);
-    if (flows && beyond > hesitant) let_out(state, i, opening);
+    if (flows && beyond > hesitant) let_out(state, places, i, opening);
     if (!flows && beyond <= 0.0) in.push_back(std::uint32_t(i));
     gone[i] = !flows && beyond > opening.depth + hesitant;  // so a row keeps its number when it turns round
     any_gone = any_gone || gone[i];
@@ -76,34 +65,30 @@ void OpenSides<D>::exchange(State<D>& state, double t) {
   for (std::size_t k = 0; k < in.size(); ++k) {
     const auto& opening = opening_beyond(particles.position[in[k]]);
     particles.position[before + k][opening.axis] += opening.outward() * opening.depth;
-    particles.id[before + k] = next_id_++;
-    let_in(state, in[k], opening, t);
+    particles.id[before + k] = places.new_id();
+    let_in(state, places, in[k], opening, t);
   }
   if (any_gone) particles.remove([&](std::size_t i) { return gone[i]; });
 }
 
 template <int D>
-void OpenSides<D>::let_in(State<D>& state, std::size_t i, const Opening<D>& opening, double t) {
-  if (free_.empty() || next_id_ == no_place) {
+void OpenSides<D>::let_in(State<D>& state, Places& places, std::size_t i, const Opening<D>& opening, double t) {
+  if (places.free() == 0) {
     throw base::RunError(
         fmt::format("at t = {:g} s more particles are in the domain than it has places for, {}: fluid enters faster "
                     "than it leaves. "
                     "Let it out: give an outlet, or inlets whose velocities let in as much as they let out.",
-                    t, voxels_ + reserve_));
+                    t, places.all()));
   }
   state.particles.role[i] = sph::Role::fluid;
-  (*place_)[i] = free_.top();
-  free_.pop();
-  keep({(*place_)[i], state.particles.id[i], 2 * opening.axis + opening.side, true});
+  keep({places.take(i), state.particles.id[i], 2 * opening.axis + opening.side, true});
   ++entered_;
 }
 
 template <int D>
-void OpenSides<D>::let_out(State<D>& state, std::size_t i, const Opening<D>& opening) {
+void OpenSides<D>::let_out(State<D>& state, Places& places, std::size_t i, const Opening<D>& opening) {
   state.particles.role[i] = sph::Role::open;
-  free_.push((*place_)[i]);
-  keep({(*place_)[i], state.particles.id[i], 2 * opening.axis + opening.side, false});
-  (*place_)[i] = no_place;
+  keep({places.leave(i), state.particles.id[i], 2 * opening.axis + opening.side, false});
   if (state.scaling) (*state.scaling)[i] = 1.0;
   if (state.shift) (*state.shift)[i] = Vec::Zero();
   state.acceleration[i] = Vec::Zero();
@@ -222,7 +207,7 @@ void OpenSides<D>::set_pressure(State<D>& state, const sph::AnyKernel<D>& kernel
     const std::size_t i = beyond_[n].particle;
     state.pressure[i] = pressure_beyond(state, kernel, n);
     state.density[i] = scales.density + (state.pressure[i] - scales.background) / c2;
-    state.volume[i] = scales.mass / state.density[i];
+    state.volume[i] = state.mass(i) / state.density[i];
   }
 }
 

@@ -11,19 +11,15 @@
 // open-channel flows through an SPH model"; values from inside by corrected sums: Tafuni et al. 2018, "A versatile
 // algorithm for the treatment of open boundary conditions in smoothed particle hydrodynamics GPU models".) An id is
 // never given twice.
-#include <functional>
-#include <queue>
 #include <vector>
 
 #include "hydro/open/opening.hpp"
+#include "hydro/places.hpp"
 #include "hydro/state.hpp"
 #include "sph/cells.hpp"
 #include "sph/kernel.hpp"
 
 namespace shmoo::hydro {
-
-// Of a particle that has no place in what is recorded.
-inline constexpr std::uint32_t no_place = 0xFFFFFFFF;
 
 // What happened at an open side.
 struct Passage {
@@ -39,21 +35,16 @@ class OpenSides {
 
   OpenSides(const scene::Scene& scene, const sph::Filling<D>& filling);
 
-  // Asks for the column `place`, and gives every particle inside the domain one.
-  void prepare(State<D>& state);
   // Moves what is beyond the sides.
   void carry(State<D>& state, double dt) const;
   // Lets particles in and out. The rows must be built anew after it.
-  void exchange(State<D>& state, double t);
+  void exchange(State<D>& state, Places& places, double t);
   // Lists what is beyond the sides, and the fluid about it, once rows are built.
   void locate(const State<D>& state);
   // `dt` [s] since it was last called, up to time t.
   void set_velocity(State<D>& state, const sph::AnyKernel<D>& kernel, double t, double dt);
   void set_pressure(State<D>& state, const sph::AnyKernel<D>& kernel) const;
 
-  // Of every particle in the store, its place in records: whole numbers below voxels + reserve, or no_place. A particle
-  // that enters gets the lowest free one, which it leaves free again.
-  const std::vector<std::uint32_t>& place() const { return place_->values(); }
   // What passed since begin_interval(), in that order; nothing is kept before the first.
   const std::vector<Passage>& passages() const { return passages_; }
   void begin_interval() {
@@ -74,8 +65,8 @@ class OpenSides {
   double pressure_beyond(const State<D>& state, const sph::AnyKernel<D>& kernel, std::size_t n) const;
   void give_way(const State<D>& state, double dt);
   const Opening<D>& opening_beyond(const Vec& x) const;
-  void let_in(State<D>& state, std::size_t i, const Opening<D>& opening, double t);
-  void let_out(State<D>& state, std::size_t i, const Opening<D>& opening);
+  void let_in(State<D>& state, Places& places, std::size_t i, const Opening<D>& opening, double t);
+  void let_out(State<D>& state, Places& places, std::size_t i, const Opening<D>& opening);
   void keep(const Passage& passage) {
     if (keeps_passages_) passages_.push_back(passage);
   }
@@ -90,10 +81,6 @@ class OpenSides {
   std::vector<Flux> flux_;  // of each
   double crossing_;         // [m] from one side to the other
   bool gives_way_ = false;
-  std::size_t voxels_, reserve_;
-  std::uint32_t next_id_;
-  sph::Column<std::uint32_t>* place_ = nullptr;
-  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_;  // places; the lowest first
   std::vector<Beyond> beyond_;
   std::vector<std::vector<std::uint32_t>> around_;  // of each, fluid particles about its foot
   std::vector<Passage> passages_;

@@ -143,6 +143,7 @@ class Ensemble {
 
   void write(const Status& status) {
     const auto start = Clock::now();
+    malloc_trim(0);  // what realisations left makes room
     collector_.at_rest([&](const Results& results) {
       provenance_.updated = utc_now();
       provenance_.seconds = seconds_since(start_);

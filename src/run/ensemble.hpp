@@ -15,8 +15,7 @@ struct EnsembleOptions {
   int threads = 1;
   std::uint32_t part = 0, parts = 1;  // realise only k with k modulo parts == part
   bool resume = false;                // go on from the finished realisations that `output` holds
-  double write_interval =
-      10;  // [s] of wall time between two writes of the file, at least; longer where writing is slow
+  double write_interval = 10;         // [s] of wall time between two writes, at least; longer where writing is slow
   ProgressBar::Style progress = ProgressBar::Style::quiet;
   std::string command{};  // for /provenance
 };

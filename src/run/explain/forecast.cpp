@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/rules/settling.hpp"
+#include "run/ensemble.hpp"
 #include "run/explain/coarse_wall.hpp"
 #include "run/explain/memory.hpp"
 #include "run/recorder.hpp"
@@ -124,16 +125,19 @@ void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, con
   if (play.kind == Kind::shortened && kept_intervals(scene, numbers, forecast) > 0.0)
     more = scene.run.until / play.scene.run.until;
   const double recorded = recorder_bytes(layout, false);
-  Parts parts{{"program and libraries", double(idle_bytes)},
+  Parts parts{{"program and libraries", double(rehearsal.program_bytes + idle_bytes)},
               {"particles, network, records of their places", double(rehearsal.experiment_bytes)},
               {"statistics of all realisations", results_bytes(layout, scene.run.realisations, filled)},
-              {"voxels and jump tables of the intervals", more * double(rehearsal.kept_bytes)},
-              {"the library that writes the result", library_bytes}};
+              {"voxels and jump tables of the intervals", more * double(rehearsal.kept_bytes)}};
   const Parts preparing{{"what is shared, under way", rehearsal.preparing_bytes}};
-  const Parts realising{{"realisations under way", workers * rehearsal.realising_bytes},
-                        {"what they record", workers * recorded}};
+  Parts realising{{"realisations under way", workers * rehearsal.realising_bytes},
+                  {"what they record", workers * recorded}};
+  const std::pair<std::string, double> library{"the library that writes the result", library_bytes};
+  if (scene.run.realisations > workers && forecast.wall_seconds > EnsembleOptions{}.write_interval)
+    realising.push_back(library);  // it has written before
   const Parts writing{{"what realisations under way record", (workers - 1.0) * recorded},
-                      {"writing the result", writing_bytes(layout)}};
+                      {"writing the result", writing_bytes(layout)},
+                      library};
   const auto& largest =
       std::max({preparing, realising, writing}, [](const auto& a, const auto& b) { return sum(a) < sum(b); });
   parts.insert(parts.end(), largest.begin(), largest.end());
@@ -169,7 +173,7 @@ Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbe
   }
   forecast.how = told(play.kind);
   add_times(scene, numbers, costs, play, rehearsal, forecast);
-  add_memory(scene, numbers, play, rehearsal, make(scene)->layout(), idle.bytes, forecast);
+  add_memory(scene, numbers, play, rehearsal, make(scene)->layout(), idle.heap_bytes, forecast);
   return forecast;
 }
 

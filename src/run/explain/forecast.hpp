@@ -11,8 +11,8 @@ namespace shmoo::run {
 
 // What a process holds and has spent when it has read its model and computed nothing.
 struct Idle {
-  std::size_t bytes = 0;
-  double seconds = 0;  // CPU time
+  std::size_t heap_bytes = 0;  // allocated
+  double seconds = 0;          // CPU time
 };
 
 struct Forecast {

@@ -23,6 +23,11 @@ std::size_t resident_bytes() {
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
+std::size_t program_bytes() {
+  malloc_trim(0);
+  return resident_bytes() - std::min(resident_bytes(), heap_bytes());
+}
+
 namespace {
 
 std::size_t highest_resident_bytes() {

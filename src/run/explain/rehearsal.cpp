@@ -63,10 +63,12 @@ class Player {
   Rehearsal play() {
     begin_ = base::cpu_seconds();
     prepare();
-    if (!result_.prepared) return result_;
-    realise();
-    if (!result_.finished && !rdme::takes_turns(scene_.numerics.sampler)) foretell();
-    realise_others();
+    if (result_.prepared) {
+      realise();
+      if (!result_.finished && !rdme::takes_turns(scene_.numerics.sampler)) foretell();
+      realise_others();
+    }
+    result_.program_bytes = program_bytes();
     return result_;
   }
 

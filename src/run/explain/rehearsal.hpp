@@ -42,6 +42,7 @@ struct Rehearsal {
   std::vector<double> others{};                      // CPU time of further realisations, where the first was short
   std::size_t experiment_bytes = 0, kept_bytes = 0;  // of the experiment itself, and of what it has come to keep
   double preparing_bytes = 0, realising_bytes = 0;   // at most, besides these and what is recorded
+  std::size_t program_bytes = 0;                     // of the program and its libraries, as far as the play used them
 };
 
 using Maker = std::function<std::unique_ptr<coupling::Experiment>(scene::Scene scene)>;

@@ -33,7 +33,7 @@ void measure(Report& report, const Workshop& workshop, int threads, const Idle& 
 }
 
 void explain(const Wish& wish, const Workshop& workshop) {
-  Idle idle{resident_bytes(), 0.0};
+  Idle idle{heap_bytes(), 0.0};
   const int threads =
       wish.threads.empty() ? omp_get_max_threads() : static_cast<int>(whole_number("--threads", wish.threads, 1, 4096));
   Report report{coupling::decide(workshop.read(wish.model, overrides_of(wish.settings))), {}, {}, {}, {}, {}};

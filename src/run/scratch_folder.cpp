@@ -11,7 +11,7 @@
 namespace shmoo::run {
 
 ScratchFolder::ScratchFolder(const std::string& name) {
-  auto pattern = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
+  auto pattern = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();  // mkdtemp fills it in
   if (mkdtemp(pattern.data()) == nullptr)
     throw base::RunError(fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
   path_ = pattern;

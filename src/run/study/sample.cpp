@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/error.hpp"
 #include "run/plot/plot.hpp"
-#include "run/study/harmonic.hpp"
+#include "run/study/oscillation.hpp"
 
 namespace shmoo::run::study {
 namespace {
@@ -99,62 +100,33 @@ void add_average(const ResultFile& result, const Course& course, const std::vect
   if (n > 1) sample.variance.push_back(squares / double(n - 1));
 }
 
-// Half the distance of the extremes of the mean over realisations.
-void add_amplitude(const Entry& entry, const Course& course, const std::vector<std::size_t>& window, double time,
-                   Sample& sample) {
-  if (entry.cells() != 1)
-    throw base::RunError(fmt::format("{} is a profile; only a number has an amplitude", entry.name));
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const auto t : window) {
-    least = std::min(least, course.all.mean[t]);
-    most = std::max(most, course.all.mean[t]);
-  }
-  add_place(sample, 0, 0, 0, time, 0.5 * (most - least));
-}
+// A number that the course of the mean over realisations has in a window of time; not finite where it has none.
+struct Swing {
+  std::optional<std::array<double, 2>> scene::StudyQuantity::*window;
+  double (*number)(std::span<const double> time, std::span<const double> value);
+};
 
-// From the first crossing of the middle between the extremes to the next one in the same direction, between records
-// along a straight line; of the mean over realisations.
-void add_period(const ResultFile& result, const Entry& entry, const Course& course, const std::array<double, 2>& window,
-                Sample& sample) {
-  if (entry.cells() != 1) throw base::RunError(fmt::format("{} is a profile; only a number has a period", entry.name));
-  std::vector<double> time, value;
-  for (std::size_t t = 0; t < result.times.size(); ++t) {
-    if (result.times[t] < window[0] || result.times[t] > window[1]) continue;
-    time.push_back(result.times[t]);
-    value.push_back(course.all.mean[t]);
-  }
-  if (time.empty()) throw base::RunError("no record lies in the window of the period");
-  const auto [low, high] = std::minmax_element(value.begin(), value.end());
-  const double middle = 0.5 * (*low + *high);
-  std::array<std::vector<double>, 2> crossing;  // downwards, upwards
-  for (std::size_t t = 1; t < time.size(); ++t) {
-    const double before = value[t - 1] - middle, after = value[t] - middle;
-    if ((before < 0.0) == (after < 0.0)) continue;
-    crossing[before < 0.0].push_back(time[t - 1] + (time[t] - time[t - 1]) * before / (before - after));
-  }
-  double period = std::numeric_limits<double>::infinity(), begin = period;
-  for (const auto& way : crossing) {
-    if (way.size() < 2 || way[0] > begin) continue;
-    begin = way[0];
-    period = way[1] - way[0];
-  }
-  if (!std::isfinite(period))
-    throw base::RunError(fmt::format("{} does not swing through a whole period in the window", entry.name));
-  add_place(sample, 0, 0, 0, begin + period, period);
-}
+constexpr Swing swings[] = {
+    {&scene::StudyQuantity::amplitude, [](auto, auto value) { return half_range(value); }},
+    {&scene::StudyQuantity::period, first_period},
+    {&scene::StudyQuantity::harmonic, [](auto time, auto value) { return strongest_harmonic(time, value).amplitude; }},
+    {&scene::StudyQuantity::harmonic_period,
+     [](auto time, auto value) { return strongest_harmonic(time, value).period; }}};
 
-// Of the mean over realisations.
-Harmonic harmonic_of(const ResultFile& result, const Entry& entry, const Course& course,
-                     const std::array<double, 2>& window) {
+void add_swing(const ResultFile& result, const Entry& entry, const Course& course, const Swing& swing,
+               const std::array<double, 2>& window, Sample& sample) {
   if (entry.cells() != 1) throw base::RunError(fmt::format("{} is a profile; only a number swings", entry.name));
   std::vector<double> time, value;
   for (const auto t : records_in(result, window)) {
     time.push_back(result.times[t]);
     value.push_back(course.all.mean[t]);
   }
-  if (time.size() < 4)
-    throw base::RunError(fmt::format("{} records lie in the window of a harmonic; four are the least", time.size()));
-  return strongest_harmonic(time, value);
+  const double number = swing.number(time, value);
+  if (!std::isfinite(number))
+    throw base::RunError(
+        fmt::format("{} does not swing through a whole period in the window of time, which holds {} records",
+                    entry.name, time.size()));
+  add_place(sample, 0, 0, 0, window[1], number);
 }
 
 double mean_of(const std::vector<std::uint64_t>& values) {
@@ -182,24 +154,11 @@ Sample take(const ResultFile& result, const scene::StudyQuantity& quantity) {
       add_average_profile(entry, course, window, end, quantity.axis, sample);
     return sample;
   }
-  if (quantity.amplitude) {
-    add_amplitude(entry, course, records_in(result, *quantity.amplitude), (*quantity.amplitude)[1], sample);
-    return sample;
-  }
-  if (quantity.period) {
-    add_period(result, entry, course, *quantity.period, sample);
-    return sample;
-  }
-  if (quantity.harmonic) {
-    const auto harmonic = harmonic_of(result, entry, course, *quantity.harmonic);
-    add_place(sample, 0, 0, 0, (*quantity.harmonic)[1], harmonic.amplitude);
-    return sample;
-  }
-  if (quantity.harmonic_period) {
-    const auto harmonic = harmonic_of(result, entry, course, *quantity.harmonic_period);
-    add_place(sample, 0, 0, 0, (*quantity.harmonic_period)[1], harmonic.period);
-    return sample;
-  }
+  for (const auto& swing : swings)
+    if (const auto& window = quantity.*swing.window) {
+      add_swing(result, entry, course, swing, *window, sample);
+      return sample;
+    }
   for (const auto time : records(result, quantity.times))
     add_observable(result, entry, course, time, quantity.axis, sample);
   return sample;

@@ -1,9 +1,13 @@
-#include "run/study/harmonic.hpp"
+#include "run/study/oscillation.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 namespace shmoo::run {
 namespace {
@@ -31,7 +35,32 @@ Fit fit(std::span<const double> time, std::span<const double> value, double freq
 
 }  // namespace
 
+double half_range(std::span<const double> value) {
+  const auto [low, high] = std::minmax_element(value.begin(), value.end());
+  return 0.5 * (*high - *low);
+}
+
+double first_period(std::span<const double> time, std::span<const double> value) {
+  const auto [low, high] = std::minmax_element(value.begin(), value.end());
+  const double middle = 0.5 * (*low + *high);
+  std::array<std::vector<double>, 2> crossing;  // downwards, upwards
+  for (std::size_t t = 1; t < time.size(); ++t) {
+    const double before = value[t - 1] - middle, after = value[t] - middle;
+    if ((before < 0.0) == (after < 0.0)) continue;
+    crossing[before < 0.0].push_back(time[t - 1] + (time[t] - time[t - 1]) * before / (before - after));
+  }
+  double period = std::numeric_limits<double>::infinity(), begin = period;
+  for (const auto& way : crossing) {
+    if (way.size() < 2 || way[0] > begin) continue;
+    begin = way[0];
+    period = way[1] - way[0];
+  }
+  return period;
+}
+
 Harmonic strongest_harmonic(std::span<const double> time, std::span<const double> value) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (time.size() < 4) return {none, none};
   const double length = time.back() - time.front(), lowest = 1.0 / length;
   const double step = lowest / oversampling, highest = 0.5 * double(time.size() - 1) * lowest;
   const auto rest = [&](double frequency) { return fit(time, value, frequency).rest; };

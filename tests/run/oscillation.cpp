@@ -1,5 +1,5 @@
-// The strongest oscillation of a course, found in noise.
-#include "run/study/harmonic.hpp"
+// What of a course swings: its range, its first period, its strongest oscillation, found in noise.
+#include "run/study/oscillation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +37,13 @@ TEST(Harmonic, IsFoundInNoiseOfTwoThirdsOfIt) {
     EXPECT_NEAR(found.amplitude, amplitude, 0.12) << seed;
     EXPECT_NEAR(found.period, period, 0.6) << seed;
   }
+}
+
+TEST(FirstPeriod, EndsWhereAWholeSwingDoes) {
+  const std::vector<double> time = {0, 1, 2, 3, 4, 5, 6, 7, 8}, value = {0, 2, 0, -2, 0, 2, 0, -2, 0};
+  EXPECT_DOUBLE_EQ(first_period(time, value), 4.0);
+  EXPECT_DOUBLE_EQ(half_range(value), 2.0);
+  EXPECT_TRUE(std::isinf(first_period(std::span(time).first(3), std::span(value).first(3))));
 }
 
 }  // namespace

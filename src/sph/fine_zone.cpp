@@ -36,7 +36,7 @@ double FineZone<D>::depth(const Vec& x) const {
 
 template <int D>
 double FineZone<D>::narrowing(const Vec& x) const {
-  return 1.0 - 0.5 * std::clamp(0.5 + depth(x) / reach_, 0.0, 1.0);
+  return 1.0 - 0.5 * std::clamp(depth(x) / reach_, 0.0, 1.0);
 }
 
 template class FineZone<1>;

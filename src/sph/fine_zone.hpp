@@ -1,8 +1,8 @@
 #pragma once
-// Where particles stand at half the spacing. The kernel's reach follows the place alone: across a border it changes
-// evenly over one coarse reach, half of it inside, so that the sums of a particle there see hardly anything of the jump
-// (with a jump of the reach itself they are four times as far off), and it does not matter to them what particles have
-// been split or merged already.
+// Where particles stand at half the spacing. The kernel's reach follows the place alone: inside a border it changes
+// evenly over one coarse reach, so that the sums of a particle there see hardly anything of the jump (with a jump of the
+// reach itself they are four times as far off), that coarse particles have their whole reach, and that it does not
+// matter to it what has been split or merged already.
 #include <vector>
 
 #include "base/vec.hpp"

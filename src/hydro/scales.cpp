@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "hydro/compressibility.hpp"
 #include "hydro/effects/buoyancy.hpp"
+#include "hydro/effects/closed_room.hpp"
+#include "hydro/effects/pressure.hpp"
 #include "hydro/extents.hpp"
 #include "hydro/open/opening.hpp"
 #include "hydro/speeds.hpp"
@@ -122,6 +124,26 @@ void derive_noise(const scene::Scene& scene, Scales<D>& scales) {
                   scales.bulk_viscosity, scales.viscosity * (D + 2) / D));
 }
 
+// A fluid far beyond Mach 0.3 that fills its room is treated as what its state equation makes it, an isothermal gas:
+// its pressure is rho c0^2, never negative, so that nothing clumps where it is torn; densities are summed over
+// particles, as what is integrated does not come back from a shock; and particles are not shifted, which squeezes mass
+// through shocks.
+template <int D>
+void derive_shocks(const scene::Scene& scene, const sph::Filling<D>& filling, Scales<D>& scales,
+                   std::vector<Derived>& derived) {
+  const auto& numerics = scene.numerics;
+  const bool ruled = numerics.pressure == scene::PressureForm::automatic &&
+                     numerics.density == scene::DensityForm::automatic && numerics.shepard_every == 0;
+  if (!ruled || pressure_form<D>(scene, scales) != scene::PressureForm::riemann) return;
+  if (scene::has_solids(scene) || scene::has_open_sides(scene) || scene::refined(scene) || !is_enclosed<D>(filling))
+    return;
+  scales.shocks = true;
+  scales.background = std::max(scales.background, scales.density * scales.sound_speed * scales.sound_speed);
+  derived.push_back({"background pressure", scales.background, "Pa",
+                     "rho0 c0^2: beyond Mach 0.3 the fluid is an isothermal gas, whose pressure is never negative; its "
+                     "densities are summed and its particles not shifted"});
+}
+
 // Sums over the starting lattice: gamma = (alpha + beta/D) sum_j V_j F_ij/rho, and sum_j W_ij.
 template <int D>
 void sum_lattice(const scene::Scene& scene, Scales<D>& scales) {
@@ -213,6 +235,7 @@ Scales<D> derive_scales(const scene::Scene& scene, const sph::Filling<D>& fillin
       {"reference length", scales.length, "m",
        scene.flow.reference_length ? "flow.reference_length" : "smallest extent between walls, or of the domain"});
   derive_sound<D>(scene, scales, derived);
+  derive_shocks<D>(scene, filling, scales, derived);
   sum_lattice<D>(scene, scales);
   stiffen(scene, scales, derived);
   if (scene::has_solids(scene) && scales.viscosity > 0.0) {

@@ -43,6 +43,7 @@ struct Scales {
   double background = 0;      // [Pa]
   double stiffness = 1;       // c^2/c0^2 of the state equation, see compressibility.hpp
   double thermal_energy = 0;  // [J/m^(3-D)] kT per depth; 0 without thermal noise
+  bool shocks = false;        // faster than weakly compressible flows are, see derive_shocks()
   double courant = 0.25;
   base::Vec<D> body_force = base::Vec<D>::Zero();  // [m/s^2]
   base::Vec<D> gravity = base::Vec<D>::Zero();     // [m/s^2] of buoyancy

@@ -50,9 +50,16 @@ WallGuard<D>::WallGuard(const scene::Scene& scene)
     if (moves_[m]) frames_.push_back(int(m));
 }
 
+// Beyond an open side what is at the side goes on.
 template <int D>
 int WallGuard<D>::material_at(const Vec& x) const {
-  const auto point = point_of<D>(x);
+  auto point = point_of<D>(x);
+  for (int a = 0; a < D; ++a) {
+    if (box_.periodic[std::size_t(a)]) continue;
+    const double inside = touching * spacing_;  // the upper faces of shapes do not belong to them
+    if (!closed_[std::size_t(a)][0]) point[std::size_t(a)] = std::max(point[std::size_t(a)], box_.lower[a]);
+    if (!closed_[std::size_t(a)][1]) point[std::size_t(a)] = std::min(point[std::size_t(a)], box_.upper[a] - inside);
+  }
   for (std::size_t r = regions_.size(); r-- > 0;)
     if (scene::contains(*regions_[r].shape, point, D)) return regions_[r].material;
   return domain_material_;

@@ -75,6 +75,20 @@ ShapePointer build_polygon(const Section& section) {
   return made(std::move(polygon));
 }
 
+// Corners are places along the x axis and distances from it.
+ShapePointer build_revolved(const Section& section) {
+  const auto shape = build_polygon(section);
+  if (!shape) return nullptr;
+  for (const auto& corner : std::get<PolygonShape>(shape->form).corners) {
+    if (corner[1] >= 0.0) continue;
+    section.error("corners", fmt::format("the second number of a corner is its distance from the x axis, and {:g} m is "
+                                         "below 0; give the half of the outline that lies above the axis",
+                                         corner[1]));
+    return nullptr;
+  }
+  return shape;
+}
+
 ShapePointer build_union(const Section& section, int dimension) {
   UnionShape all;
   bool good = section.good("of") != nullptr;
@@ -103,6 +117,7 @@ ShapePointer build_shape(const Section& section, int dimension) {
   if (name == "ring" || name == "shell") return build_shell(section);
   if (name == "half_plane" || name == "half_space") return build_half_space(section);
   if (name == "polygon") return build_polygon(section);
+  if (name == "revolved") return build_revolved(section);
   if (name == "union") return build_union(section, dimension);
   return build_difference(section, dimension);
 }

@@ -87,7 +87,7 @@ Table flow_table() {
             {quantity(dimensions::pressure, not_negative)},
             false,
             "\"0 Pa\"",
-            "added to the pressure of the fluid"},
+            "added to the pressure of the fluid; at least rho c0^2 where densities are summed beyond Mach 0.3"},
            {"temperature", {quantity(dimensions::temperature, positive)}, false, "", "for thermal noise, or"},
            {"thermal_energy", {quantity(dimensions::energy, positive)}, false, "", "kT itself"}}};
 }

@@ -36,7 +36,9 @@ Table numerics_table() {
         false,
         "\"auto\"",
         "how density follows the particles: integrated from the divergence of the velocity, or summed over the "
-        "particles about; auto: summation with thermal noise, else continuity"},
+        "particles about; auto: summation with thermal noise, or beyond Mach 0.3 where the fluid fills its room and "
+        "nothing "
+        "else is said of pressure and density, else continuity"},
        {"shepard_every",
         {integer(0, 1000000)},
         false,

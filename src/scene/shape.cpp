@@ -42,15 +42,16 @@ struct Contains {
     return along < 0 || (along == 0 && first < 0);
   }
 
-  // Even-odd rule by a ray in the direction of +x; edges are half-open in y.
+  // Even-odd rule by a ray in the direction of +x; edges are half-open in y. In 3-D turned about the x axis.
   bool operator()(const PolygonShape& polygon) const {
+    const double y = dimension == 3 ? std::hypot(point[1], point[2]) : point[1];
     bool inside = false;
     const auto& corners = polygon.corners;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
       const auto& [xi, yi] = corners[i];
       const auto& [xj, yj] = corners[j];
-      if ((yi > point[1]) == (yj > point[1])) continue;
-      if (point[0] < xi + (xj - xi) * ((point[1] - yi) / (yj - yi))) inside = !inside;
+      if ((yi > y) == (yj > y)) continue;
+      if (point[0] < xi + (xj - xi) * ((y - yi) / (yj - yi))) inside = !inside;
     }
     return inside;
   }

@@ -1,5 +1,7 @@
 #include "sph/surface_pieces.hpp"
 
+#include <cmath>
+
 namespace shmoo::sph {
 namespace {
 
@@ -53,15 +55,28 @@ struct EachFoot {
     }
   }
 
+  // Calls visit(place, normal) for the feet of x on the edges of a polygon, leaving out those of edges on the x axis.
+  static void feet_on_edges(const scene::PolygonShape& polygon, const Vec<2>& x, bool turned, const auto& visit) {
+    const auto& corners = polygon.corners;
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+      if (turned && corners[i][1] == 0.0 && corners[j][1] == 0.0) continue;
+      const Vec<2> from(corners[j][0], corners[j][1]), along = Vec<2>(corners[i][0], corners[i][1]) - from;
+      const double part = (x - from).dot(along) / along.squaredNorm();
+      if (!(part >= 0.0 && part <= 1.0)) continue;
+      visit(Vec<2>(from + part * along), Vec<2>(Vec<2>(along[1], -along[0]).normalized()));
+    }
+  }
+
+  // In 3-D turned about the x axis. Its pieces are cones, shown by planes that touch them.
   void operator()(const scene::PolygonShape& polygon) const {
-    if constexpr (D == 2) {
-      const auto& corners = polygon.corners;
-      for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-        const Vec<2> from(corners[j][0], corners[j][1]), along = Vec<2>(corners[i][0], corners[i][1]) - from;
-        const double part = (x - from).dot(along) / along.squaredNorm();
-        if (!(part >= 0.0 && part <= 1.0)) continue;
-        offer({from + part * along, Vec<2>(along[1], -along[0]).normalized(), 0.0});
-      }
+    if constexpr (D == 2)
+      feet_on_edges(polygon, x, false, [&](const Vec<2>& foot, const Vec<2>& normal) { offer({foot, normal, 0.0}); });
+    if constexpr (D == 3) {
+      const double r = std::hypot(x[1], x[2]);
+      const Vec<3> out = r > 0.0 ? Vec<3>(0.0, x[1] / r, x[2] / r) : Vec<3>(Vec<3>::UnitY());
+      feet_on_edges(polygon, {x[0], r}, true, [&](const Vec<2>& foot, const Vec<2>& normal) {
+        offer({foot[0] * Vec<3>::UnitX() + foot[1] * out, normal[0] * Vec<3>::UnitX() + normal[1] * out, 0.0});
+      });
     }
   }
 

@@ -22,8 +22,8 @@ inline void expect_laws(const std::string& name) {
 // Those that take longer than a few seconds run by name.
 inline bool slow(const run::verify::Case& one) {
   if (one.by_name_only) return true;
-  for (const char* name :
-       {"vortices", "sudden-lid", "strong-noise", "runaway-force", "spinning-bar", "shots-at-walls", "swinging-stream"})
+  for (const char* name : {"vortices", "sudden-lid", "strong-noise", "runaway-force", "spinning-bar", "shots-at-walls",
+                           "shots-in-space", "swinging-stream"})
     if (one.name == name) return true;
   return false;
 }

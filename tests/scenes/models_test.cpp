@@ -46,6 +46,7 @@ const std::map<std::string, std::string> short_time{
     {"validation/diffusion-1d/model.toml", "0.01 s"},
     {"validation/diffusion-2d/model.toml", "0.1 s"},
     {"validation/dimerisation/model.toml", "1 us"},
+    {"validation/fda-nozzle/model.toml", "0.1 ms"},
     {"validation/floating-cylinder/model.toml", "0.02 s"},
     {"validation/isochoric-box/model.toml", "0.02 s"},
     {"validation/microchannel-rod/model.toml", "2 us"},

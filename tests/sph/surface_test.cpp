@@ -108,4 +108,27 @@ TEST(Surface, DifferencesAndPolygonsShowTheirFaces) {
   EXPECT_NEAR((point->place - Vec<2>(0, 2) - 5.0 * along).norm(), 0.0, 1e-14);
 }
 
+// A pipe that widens to a cone: its surface is met at right angles, whichever way round the axis one looks.
+TEST(Surface, RevolvedOutlinesShowTheirCones) {
+  auto scene = box(3);
+  scene.domain.lower = {0, -5, -5};
+  scene.domain.upper = {10, 5, 5};
+  scene.domain.material = 1;
+  scene.regions.push_back({shape(scene::PolygonShape{{{{0, 0}, {0, 1}, {5, 1}, {10, 4}, {10, 0}}}}), 0, {}});
+  const sph::Surface<3> surface(scene);
+  const Vec<2> along = Vec<2>(5, 3).normalized(), n(along[1], -along[0]);  // of the cone, into the fluid
+  for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
+    const auto turned = [&](const Vec<2>& p) { return Vec<3>(p[0], p[1] * std::cos(angle), p[1] * std::sin(angle)); };
+    const auto pipe = surface.nearest(turned({2.0, 1.6}), 2.0);
+    ASSERT_TRUE(pipe);
+    EXPECT_NEAR((pipe->place - turned({2.0, 1.0})).norm(), 0.0, 1e-13);
+    EXPECT_NEAR((pipe->normal - turned({0.0, -1.0})).norm(), 0.0, 1e-13);
+    const Vec<2> foot = Vec<2>(5, 1) + 3.0 * along;
+    const auto cone = surface.nearest(turned(foot - 0.5 * n), 2.0);
+    ASSERT_TRUE(cone);
+    EXPECT_NEAR((cone->place - turned(foot)).norm(), 0.0, 1e-13);
+    EXPECT_NEAR((cone->normal - turned(n)).norm(), 0.0, 1e-13);
+  }
+}
+
 }  // namespace

@@ -9,13 +9,14 @@ namespace shmoo::hydro {
 
 namespace {
 
-bool sums_density(const scene::Scene& scene) {
+bool sums_density(const scene::Scene& scene, bool shocks) {
   const auto form = scene.numerics.density;
-  return form == scene::DensityForm::automatic ? scene.effects.thermal_noise : form == scene::DensityForm::summation;
+  if (form == scene::DensityForm::automatic) return scene.effects.thermal_noise || shocks;
+  return form == scene::DensityForm::summation;
 }
 
-void refuse_forms(const scene::Scene& scene, scene::PressureForm pressure) {
-  if (scene.effects.thermal_noise && !sums_density(scene)) {
+void refuse_forms(const scene::Scene& scene, scene::PressureForm pressure, bool sums) {
+  if (scene.effects.thermal_noise && !sums) {
     throw base::InputError(
         "numerics.density = \"continuity\" lets thermal noise make density wander off; remove it or turn "
         "effects.thermal_noise off");
@@ -25,7 +26,7 @@ void refuse_forms(const scene::Scene& scene, scene::PressureForm pressure) {
         "numerics.pressure = \"riemann\" dissipates what thermal noise does not give back; remove it or turn "
         "effects.thermal_noise off");
   }
-  if (scene.numerics.shepard_every > 0 && sums_density(scene)) {
+  if (scene.numerics.shepard_every > 0 && sums) {
     throw base::InputError(
         "numerics.shepard_every renormalises densities by continuity, and here they are summed over particles; remove "
         "it");
@@ -35,7 +36,7 @@ void refuse_forms(const scene::Scene& scene, scene::PressureForm pressure) {
 // Sums over kernels cannot diffuse.
 template <int D>
 DiffusionSlot choose_diffusion(const scene::Scene& scene, const Scales<D>& scales, scene::PressureForm pressure) {
-  if (!scene.effects.density_diffusion || sums_density(scene)) return Absent{};
+  if (!scene.effects.density_diffusion) return Absent{};
   if (pressure == scene::PressureForm::riemann) return RiemannDiffusion{scales.sound_speed};
   return DensityDiffusion::derive(scales);
 }
@@ -46,15 +47,16 @@ template <int D>
 Effects<D> Effects<D>::choose(const scene::Scene& scene, const Scales<D>& scales, const base::RandomKey& key) {
   Effects effects;
   const auto pressure = pressure_form(scene, scales);
-  refuse_forms(scene, pressure);
+  const bool sums = sums_density(scene, scales.shocks);
+  refuse_forms(scene, pressure, sums);
   if (pressure == scene::PressureForm::difference) effects.pressure = DifferencePressure{};
   if (pressure == scene::PressureForm::riemann)
     effects.pressure = RiemannPressure{scales.sound_speed, scales.density * scales.sound_speed};
-  if (sums_density(scene)) effects.density = DensityBySummation{scales.density / scales.lattice_sum};
-  effects.density_diffusion = choose_diffusion(scene, scales, pressure);
+  if (sums) effects.density = DensityBySummation{scales.density / scales.lattice_sum};
+  if (!sums) effects.density_diffusion = choose_diffusion(scene, scales, pressure);
   if (scene.numerics.shepard_every > 0)
     effects.shepard_filter = ShepardFilter<D>{std::uint64_t(scene.numerics.shepard_every)};
-  if (!sums_density(scene)) effects.closed_room = ClosedRoom<D>::choose(scene);
+  if (!sums) effects.closed_room = ClosedRoom<D>::choose(scene);
   effects.transport_velocity = TransportVelocity<D>::choose(scene, scales);
   effects.viscosity = Viscosity<D>::choose(scene, scales);
   if (ImplicitFriction<D>::chosen(scene, scales)) {

@@ -22,7 +22,7 @@ struct TransportVelocity {
   double smoothing = 0;  // [m] hs
 
   static Slot<TransportVelocity> choose(const scene::Scene& scene, const Scales<D>& scales) {
-    if (!scene.effects.transport_velocity) return Absent{};
+    if (!scene.effects.transport_velocity || scales.shocks) return Absent{};
     const double xi = scene.numerics.pressure == scene::PressureForm::difference ? 1.0 : 4.0;
     return TransportVelocity{4.0 * xi * scales.speed * scales.smoothing, scales.smoothing};
   }

@@ -41,7 +41,8 @@ template <int D>
 struct FlowPicture {
   std::vector<base::Vec<D>> position, velocity;  // [m], [m/s], by id, voxels only
   std::vector<double> density, pressure;         // [kg/m^3], [Pa]
-  std::vector<double> particle;                  // persistent id in each place, with open sides; empty without
+  std::vector<double> particle;                  // persistent id in each place, where particles come and go; or empty
+  std::vector<double> share;                     // [1] of a coarse particle's mass, where spacings differ; or empty
   double kinetic_energy = 0;                     // [J]
   double max_speed = 0;                          // [m/s]
   double temperature = 0;                        // [J], kT

@@ -71,6 +71,7 @@ class FluidInMotion final : public LiveFlow<D> {
     picture.density = by_id([&](std::size_t i) { return state.density[i]; });
     picture.pressure = by_id([&](std::size_t i) { return state.pressure[i]; });
     if (fluid_.places()) picture.particle = by_id([&](std::size_t i) { return double(fluid_.particles().id[i]); });
+    if (state.share) picture.share = by_id([&](std::size_t i) { return state.share_of(i); });
     picture.kinetic_energy = fluid_.kinetic_energy();
     picture.max_speed = fluid_.max_speed();
     picture.temperature = fluid_.temperature();

@@ -327,8 +327,9 @@ void measure_flow(const scene::Observable& observable, const scene::Scene& scene
     if (scene.materials[material[i]].type != scene::MaterialType::fluid || vacant(picture, i)) continue;
     if (!selects<D>(observable, scene, material[i], picture.position[i])) continue;
     const std::size_t b = bin_of(picture.position[i][observable.axis], scene, observable.axis, bins);
-    reals[b] += picture.velocity[i][observable.component];
-    weight[b] += 1.0;
+    const double share = picture.share.empty() ? 1.0 : picture.share[i];
+    reals[b] += share * picture.velocity[i][observable.component];
+    weight[b] += share;
   }
   for (std::size_t b = 0; b < bins; ++b)
     if (weight[b] > 0.0) reals[b] /= weight[b];

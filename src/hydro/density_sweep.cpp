@@ -10,6 +10,8 @@ namespace {
 
 // Below this determinant of the second moment, 1 for full support, a particle has too few neighbours for a correction.
 constexpr double least_support = 0.02;
+// Share of the second moment of full support, below which friction is of second order.
+constexpr double full_support = 0.8;
 
 template <int D, class Reach, class Density, class Diffusion, class Transport>
 class DensitySweep {
@@ -97,9 +99,33 @@ class DensitySweep {
     if constexpr (present<Diffusion>) {
       pair.density = slots.density[slot] - own.density;
       if constexpr (Reach::differ && Diffusion::by_reach) pair.density /= kernel.stretch;
-      Diffusion::add(pair, sums.diffusion);
+      diffusion_.add(pair, sums.diffusion);
     }
     if constexpr (present<Transport>) Transport::add(pair, sums.transport);
+  }
+
+  // The friction's weights F (s - w r^2) have the exact second moment and no fourth one.
+  void narrow(std::size_t b, const Lane& second, Lane& scaling) {
+    const Block& block = state_.rows.blocks[b];
+    const std::int32_t* near = state_.rows.blocks.near(block);
+    const auto own = reach_.own(b);
+    Lane fourth{}, sixth{};
+    for (std::uint32_t k = 0; k < block.near; ++k) {
+      const auto slot = std::size_t(near[k]);
+      Lane r2 = same(tiny);
+      for (int a = 0; a < D; ++a) {
+        const Lane x = load(coordinate(a) + lanes * b) - coordinate(a)[slot];
+        r2 = fma(x, x, r2);
+      }
+      const Lane moment = reach_.of(own, slot).F(Lane(r2 * inverse_root(r2))) * state_.slots.volume[slot] * r2 * r2;
+      fourth += moment;
+      sixth = fma(moment, r2, sixth);
+    }
+    const Lane determinant = second * sixth - fourth * fourth;
+    const auto full = second > full_support * D;
+    scaling = full ? D * sixth / determinant : scaling;
+    const Lane narrowing = full ? D * fourth / determinant : Lane{};
+    for (std::uint32_t l = 0; l < block.size; ++l) (*state_.narrowing)[block.first + l] = narrowing[l];
   }
 
   Lane next_density(const Block& block, const Sums& sums, const Lane& divergence) const {
@@ -129,6 +155,7 @@ class DensitySweep {
     // Volumes by summed densities do not fill the space that particles have: without this fluctuating fluids are too
     // thin.
     if constexpr (Density::summed) scaling *= density / state_.scales.density;
+    if (state_.narrowing) narrow(b, second, scaling);
     if constexpr (present<Transport>) shift(b, sums, dv);
     for (int a = 0; a < D; ++a) {
       acceleration[a] = Lane{};

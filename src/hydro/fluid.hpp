@@ -94,9 +94,11 @@ class Fluid {
   void kick(double dt, double root);
   void rub(double dt);  // implicit friction in place of the second kick
   void drift(double dt);
-  void fill_slots();   // for the first sweep
-  void fill_stress();  // and for the second
-  void reflect();      // what has passed a mirror
+  template <class Velocity>
+  void fill_walls(Velocity&& velocity);  // the velocity [m/s] of walls, by particle
+  void fill_slots();                     // for the first sweep
+  void fill_stress();                    // and for the second
+  void reflect();                        // what has passed a mirror
   void bounce();
   void check() const;
 

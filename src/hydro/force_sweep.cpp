@@ -11,6 +11,7 @@ template <int D, class Reach, class Pressure, class Friction, class Noise>
 class ForceSweep {
  public:
   static constexpr bool scaled = present<Friction> || present<Noise>;
+  static constexpr bool narrowed = std::is_same_v<Friction, ViscosityNarrowed<D>>;
   static constexpr bool sees_velocity = present<Friction> || Pressure::sees_velocity;
   using Ids = base::LaneRandom::Words;
 
@@ -47,7 +48,7 @@ class ForceSweep {
 
  private:
   struct Own {
-    Lane x[D], v[D], volume, stress, scaling;
+    Lane x[D], v[D], volume, stress, scaling, narrowing;
     Ids id;
     [[no_unique_address]] typename Reach::Own reach;
   };
@@ -68,6 +69,7 @@ class ForceSweep {
     own.volume = load(slots.volume.data() + first);
     own.stress = load(slots.stress.data() + first);
     if constexpr (scaled) own.scaling = load(slots.scaling.data() + first);
+    if constexpr (narrowed) own.narrowing = load(slots.narrowing.data() + first);
     if constexpr (present<Noise>) {
       for (std::size_t l = 0; l < lanes; ++l) own.id[l] = slots.id[first + l];
     }
@@ -89,6 +91,7 @@ class ForceSweep {
     pair.stress_i = own.stress;
     pair.stress_j = slots.stress[slot];
     if constexpr (scaled) pair.s = 0.5 * (own.scaling + slots.scaling[slot]);
+    if constexpr (narrowed) pair.s = less_product(pair.s, 0.5 * (own.narrowing + slots.narrowing[slot]), pair.r2);
   }
 
   void shake(const Own& own, std::size_t slot, const ForcePair<D>& pair, Sums& sums) const {
@@ -154,13 +157,14 @@ std::uint64_t sweep_forces(State<D>& state, const sph::AnyKernel<D>& any_kernel,
                                                                      const Friction& friction, const Noise& noise) {
         using Reach = OneReach<D, Kernel>;
         const Reach reach(state, kernel);
+        const auto with = [&]<class Form>(const Form& form) {
+          run(ForceSweep<D, Reach, Pressure, Form, Noise>(state, reach, pressure, form, noise, step));
+        };
         if constexpr (present<Friction> && !present<Noise>) {
-          using Across = ViscosityAcross<D>;
-          if (friction.beta == 0.0)
-            return run(
-                ForceSweep<D, Reach, Pressure, Across, Noise>(state, reach, pressure, {friction.alpha}, noise, step));
+          if (state.narrowing) return with(ViscosityNarrowed<D>{{friction.alpha}});
+          if (friction.beta == 0.0) return with(ViscosityAcross<D>{friction.alpha});
         }
-        run(ForceSweep<D, Reach, Pressure, Friction, Noise>(state, reach, pressure, friction, noise, step));
+        with(friction);
       },
       any_kernel, effects.pressure, effects.viscosity, effects.thermal_noise);
   return draws;

@@ -12,7 +12,7 @@ struct Slots {
   LaneArray volume;                   // [m^D]
   LaneArray density;                  // [kg/m^3], where density diffuses
   LaneArray stress;                   // of the form of pressure, see effects/pressure.hpp
-  LaneArray scaling;                  // s of the friction
+  LaneArray scaling, narrowing;       // s, w [1/m^2] of the friction
   std::vector<std::uint32_t> id;      // where there is noise
 
   Lane own_velocity(std::size_t block, int axis) const {

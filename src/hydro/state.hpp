@@ -61,6 +61,7 @@ struct State {
 
   // Only where something asked for them.
   sph::Column<double>* scaling = nullptr;         // s_i of the friction
+  sph::Column<double>* narrowing = nullptr;       // [1/m^2] w_i of friction of fourth order
   sph::Column<Mat>* correction = nullptr;         // [1] B_i of the difference form
   sph::Column<Vec>* shift = nullptr;              // [m/s] dv, transport minus fluid velocity
   sph::Column<Vec>* noise = nullptr;              // [m/s^1.5] velocity impulse per root of time

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "hydro/eights.hpp"
 
@@ -38,7 +37,7 @@ void rotate(Lane (&w)[D], const Lane (&a)[D], const Lane (&b)[D]) {
 template <int D>
 struct WallFit<D>::Sums {
   double d2 = 0, d3 = 0, d4 = 0, largest2 = 0;
-  Vec dv = Vec::Zero(), d2v = Vec::Zero();
+  Vec dv = Vec::Zero(), d2v = Vec::Zero(), wall = Vec::Zero();  // `wall` [m/s]: the surface's velocity
 
   static Sums of(const Lane (&distances)[3], const Lane (&dv)[D], const Lane (&d2v)[D], const Lane& largest2) {
     Sums sums{sum(distances[0]), sum(distances[1]), sum(distances[2])};
@@ -177,7 +176,9 @@ typename WallFit<D>::Sums WallFit<D>::moments(const State<D>& state, const WallM
     }
     largest2 = larger(largest2, W > 0.0 ? v2 : Lane{});
   });
-  return Sums::of(distances, dv, d2v, largest2);
+  Sums sums = Sums::of(distances, dv, d2v, largest2);
+  sums.wall = wall.at;
+  return sums;
 }
 
 // A boundary layer thinner than the kernel is no parabola, and fits to it throw the fluid about (a cylinder at Re = 100
@@ -202,10 +203,10 @@ void WallFit<D>::apply(State<D>& state, const WallMotion<D>& motion, const sph::
           const sph::SurfacePoint<D> point{foot(state, any), (*normal_)[any], (*curvature_)[any]};
           const Sums sums = moments(state, motion, kernel, t, feet_[f], point);
           if (!(sums.d2 > 0.0)) continue;
-          const Vec wall = motion.surface_velocity(material, point.place, t);
           const double reach = state.reach(any), scale = 1.0 / reach, share = trust(state, reach, sums);
           for (const std::uint32_t i : feet_[f].solids)
-            state.velocity[i] += share * (sums.behind(scale * (*depth_)[i], point.normal) + wall - state.velocity[i]);
+            state.velocity[i] +=
+                share * (sums.behind(scale * (*depth_)[i], point.normal) + sums.wall - state.velocity[i]);
         }
       },
       any_kernel);

@@ -64,6 +64,8 @@ template <class Kernel>
 base::Vec<D> Walls<D>::mirrored(State<D>& state, const Kernel& kernel, double t, std::size_t i) const {
   Lane weight{}, v[D]{}, way[D]{};
   const std::uint64_t first = state.rows.first(i);
+  const auto material = state.particles.material[i];
+  const bool strains = motion_.strains(material);
   by_eights(state.rows.partner() + first, state.rows.count(i), [&](const Eight& eight, std::size_t k) {
     Lane x[D], u[D];
     const Lane r2 =
@@ -74,14 +76,13 @@ base::Vec<D> Walls<D>::mirrored(State<D>& state, const Kernel& kernel, double t,
     eight.of<D>(state.velocity.values(), u);
     for (int a = 0; a < D; ++a) {
       v[a] = fma(W, u[a], v[a]);
-      way[a] = fma(W, x[a], way[a]);
+      if (strains) way[a] = fma(W, x[a], way[a]);
     }
   });
   const Vec& wall = (*state.wall_velocity)[i];
   const double total = sum(weight);
   if (!(total > 0.0)) return wall;
-  const auto material = state.particles.material[i];
-  if (!motion_.strains(material)) return 2.0 * wall - sum<D>(v) / total;
+  if (!strains) return 2.0 * wall - sum<D>(v) / total;
   const SurfaceSpeeds<D> strained(motion_, material, state.particles.position[i], t);
   return wall + strained.at - (sum<D>(v) + strained.slope * sum<D>(way)) / total;
 }

@@ -38,7 +38,7 @@ template <int D>
 DiffusionSlot choose_diffusion(const scene::Scene& scene, const Scales<D>& scales, scene::PressureForm pressure) {
   if (!scene.effects.density_diffusion) return Absent{};
   if (pressure == scene::PressureForm::riemann) return RiemannDiffusion{scales.sound_speed};
-  return DensityDiffusion::derive(scales);
+  return DensityDiffusion::derive(scene, scales);
 }
 
 }  // namespace
@@ -145,6 +145,9 @@ void Effects<D>::require_columns(State<D>& state) const {
   using Vec = base::Vec<D>;
   if (is_present(viscosity) || implicit_friction || is_present(thermal_noise))
     state.scaling = &store.template require<double>("scaling", "1");
+  const auto* friction = std::get_if<Viscosity<D>>(&viscosity);
+  if (friction != nullptr && friction->fourth_order)
+    state.narrowing = &store.template require<double>("narrowing", "1/m^2");
   if (std::holds_alternative<DifferencePressure>(pressure)) {
     state.correction = &store.template require<base::Mat<D>>("correction", "1");
   }

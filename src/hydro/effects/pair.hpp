@@ -27,7 +27,7 @@ struct ForcePair {
   double V_j;
   Lane stress_i;  // as the form of pressure wants it
   double stress_j;
-  Lane s;  // (s_i + s_j)/2, second-moment scaling, where an effect asked for it
+  Lane s;  // (s_i + s_j)/2, second-moment scaling, where an effect asked for it, less (w_i + w_j)/2 r^2 at fourth order
 };
 
 }  // namespace shmoo::hydro

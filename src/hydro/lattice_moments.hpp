@@ -1,0 +1,27 @@
+#pragma once
+// Sums over the lattice on which particles start.
+#include <cmath>
+
+#include "hydro/scales.hpp"
+#include "sph/kernel.hpp"
+
+namespace shmoo::hydro {
+
+// sum_j V_j F_ij r_ij^power over the others [m^(power - 2)].
+template <int D>
+double lattice_moment(const scene::Scene& scene, const Scales<D>& scales, int power) {
+  const auto kernel = sph::make_kernel<D>(scene.numerics.kernel, scales.reach);
+  const int most = int(std::ceil(scene.numerics.reach)), depth = D == 3 ? most : 0;
+  double sum = 0.0;
+  for (int k = -depth; k <= depth; ++k) {
+    for (int j = -most; j <= most; ++j) {
+      for (int i = -most; i <= most; ++i) {
+        const double r = scales.spacing * std::sqrt(double(i * i + j * j + k * k));
+        if (r > 0.0) sum += std::visit([&](const auto& each) { return each.F(r); }, kernel) * std::pow(r, power);
+      }
+    }
+  }
+  return sum * std::pow(scales.spacing, D);
+}
+
+}  // namespace shmoo::hydro

@@ -128,6 +128,12 @@ TEST(Limits, LayersInAWall) {
   EXPECT_NE(thin.suggestion.find("3e-06 m thick"), std::string::npos) << thin.suggestion;
 }
 
+TEST(Limits, SummedDensitiesWithoutNoise) {
+  const auto trembling = limit("trembling", channel, {{"numerics.density", "\"summation\""}});
+  EXPECT_EQ(trembling.standing(), Standing::warn);
+  EXPECT_NE(trembling.suggestion.find("leave numerics.density out"), std::string::npos) << trembling.suggestion;
+}
+
 TEST(Limits, Neighbours) {
   EXPECT_EQ(limit("neighbours", channel).standing(), Standing::ok);
   EXPECT_EQ(limit("neighbours", channel, {{"numerics.reach", "1.6"}}).standing(), Standing::warn);

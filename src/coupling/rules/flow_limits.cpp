@@ -78,6 +78,16 @@ void add_softness(const scene::Scene& scene, const Numbers& numbers, std::vector
   }
 }
 
+// Beneath thermal noise it does not show.
+void add_trembling(const scene::Scene& scene, const Numbers& numbers, std::vector<Limit>& limits) {
+  constexpr double trembling = 0.06;  // of U
+  if (scene.numerics.density != scene::DensityForm::summation || scene.effects.thermal_noise) return;
+  limits.push_back({"trembling of particles over the flow's speed", trembling, 0.01, infinite,
+                    fmt::format("summed densities without thermal noise leave particles trembling with about {:.2g} m/s",
+                                trembling * numbers.flow.speed),
+                    "leave numerics.density out", "measured: Taylor-Green vortices at 25^2 and 50^2"});
+}
+
 // Where a steady flow passes through particles that stand, too coarse a grid spreads species like diffusion.
 void add_cell_peclet(const scene::Scene& scene, const Numbers& numbers, std::vector<Limit>& limits) {
   if (!scene.numerics.steady_tolerance || !scene.effects.species_advection) return;
@@ -103,6 +113,7 @@ void judge_flow_limits(const scene::Scene& scene, const Numbers& numbers, std::v
   limits.push_back(support(scene));
   if (const double layers = thinnest_wall(scene); std::isfinite(layers)) limits.push_back(wall_layers(scene, layers));
   add_softness(scene, numbers, limits);
+  add_trembling(scene, numbers, limits);
   add_cell_peclet(scene, numbers, limits);
 }
 

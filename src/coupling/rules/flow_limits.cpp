@@ -82,10 +82,11 @@ void add_softness(const scene::Scene& scene, const Numbers& numbers, std::vector
 void add_trembling(const scene::Scene& scene, const Numbers& numbers, std::vector<Limit>& limits) {
   constexpr double trembling = 0.06;  // of U
   if (scene.numerics.density != scene::DensityForm::summation || scene.effects.thermal_noise) return;
-  limits.push_back({"trembling of particles over the flow's speed", trembling, 0.01, infinite,
-                    fmt::format("summed densities without thermal noise leave particles trembling with about {:.2g} m/s",
-                                trembling * numbers.flow.speed),
-                    "leave numerics.density out", "measured: Taylor-Green vortices at 25^2 and 50^2"});
+  limits.push_back(
+      {"trembling of particles over the flow's speed", trembling, 0.01, infinite,
+       fmt::format("summed densities without thermal noise leave particles trembling with about {:.2g} m/s",
+                   trembling * numbers.flow.speed),
+       "leave numerics.density out", "measured: Taylor-Green vortices at 25^2 and 50^2"});
 }
 
 // Where a steady flow passes through particles that stand, too coarse a grid spreads species like diffusion.

@@ -28,7 +28,7 @@ Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
       spacings_(scene::refined(scene) ? std::make_optional<Spacings<D>>(scene) : std::nullopt),
       places_(open_ || spacings_ ? std::make_optional<Places>(filling) : std::nullopt),
       mirrors_(filling.mirrors),
-      enclosed_(is_enclosed(filling)),
+      enclosed_(!open_ && is_enclosed(filling)),
       state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, state_.scales.reach)),
       walls_(scene),

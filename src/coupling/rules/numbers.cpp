@@ -91,8 +91,9 @@ template <int D>
 void add_scales(const scene::Scene& scene, const sph::Filling<D>& filling, FlowNumbers& flow) {
   std::vector<hydro::Derived> ignored;
   const auto scales = hydro::derive_scales<D>(scene, filling, ignored);
-  hydro::list_base_limits(scales, flow.limits);
-  hydro::Effects<D>::choose(scene, scales, {}).limits(scales, flow.limits);
+  const auto finest = scales.of_finest();
+  hydro::list_base_limits(finest, flow.limits);
+  hydro::Effects<D>::choose(scene, scales, {}).limits(finest, flow.limits);
   for (const auto& limit : flow.limits) {
     if (limit.value >= flow.step) continue;
     flow.step = limit.value;

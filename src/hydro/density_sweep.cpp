@@ -13,7 +13,8 @@ constexpr double least_support = 0.02;
 // Share of the second moment of full support, below which friction is of second order.
 constexpr double full_support = 0.8;
 
-template <int D, class Reach, class Density, class Diffusion, class Transport>
+// `narrowed`: takes the moments that friction of fourth order asks for.
+template <int D, class Reach, class Density, class Diffusion, class Transport, bool narrowed = false>
 class DensitySweep {
  public:
   DensitySweep(State<D>& state, const Reach& reach, const Density& density, const Diffusion& diffusion,
@@ -51,6 +52,7 @@ class DensitySweep {
     Lane second[D][D];       // sum_j V_j F x x^T (a <= b)
     LaneMatrix<D> gradient;  // sum_j V_j F v_ij x_ij^T
     Lane diffusion[1], transport[D], kernel;
+    Lane fourth, sixth;  // sum_j V_j F r^4 and r^6
   };
 
   const double* coordinate(int axis) const { return state_.rows.blocks.coordinate[std::size_t(axis)].data(); }
@@ -95,6 +97,11 @@ class DensitySweep {
       for (int b = a; b < D; ++b) sums.second[a][b] = fma(Fx, pair.x[b], sums.second[a][b]);
       for (int b = 0; b < D; ++b) sums.gradient.at[b][a] = fma(Fx, pair.v[b], sums.gradient.at[b][a]);
     }
+    if constexpr (narrowed) {
+      const Lane moment = pair.FV * r2 * r2;
+      sums.fourth += moment;
+      sums.sixth = fma(moment, r2, sums.sixth);
+    }
     if constexpr (Density::summed) sums.kernel += kernel.W(r);
     if constexpr (present<Diffusion>) {
       pair.density = slots.density[slot] - own.density;
@@ -105,26 +112,11 @@ class DensitySweep {
   }
 
   // The friction's weights F (s - w r^2) have the exact second moment and no fourth one.
-  void narrow(std::size_t b, const Lane& second, Lane& scaling) {
-    const Block& block = state_.rows.blocks[b];
-    const std::int32_t* near = state_.rows.blocks.near(block);
-    const auto own = reach_.own(b);
-    Lane fourth{}, sixth{};
-    for (std::uint32_t k = 0; k < block.near; ++k) {
-      const auto slot = std::size_t(near[k]);
-      Lane r2 = same(tiny);
-      for (int a = 0; a < D; ++a) {
-        const Lane x = load(coordinate(a) + lanes * b) - coordinate(a)[slot];
-        r2 = fma(x, x, r2);
-      }
-      const Lane moment = reach_.of(own, slot).F(Lane(r2 * inverse_root(r2))) * state_.slots.volume[slot] * r2 * r2;
-      fourth += moment;
-      sixth = fma(moment, r2, sixth);
-    }
-    const Lane determinant = second * sixth - fourth * fourth;
+  void narrow(const Block& block, const Sums& sums, const Lane& second, Lane& scaling) {
+    const Lane determinant = second * sums.sixth - sums.fourth * sums.fourth;
     const auto full = second > full_support * D;
-    scaling = full ? D * sixth / determinant : scaling;
-    const Lane narrowing = full ? D * fourth / determinant : Lane{};
+    scaling = full ? D * sums.sixth / determinant : scaling;
+    const Lane narrowing = full ? D * sums.fourth / determinant : Lane{};
     for (std::uint32_t l = 0; l < block.size; ++l) (*state_.narrowing)[block.first + l] = narrowing[l];
   }
 
@@ -155,7 +147,7 @@ class DensitySweep {
     // Volumes by summed densities do not fill the space that particles have: without this fluctuating fluids are too
     // thin.
     if constexpr (Density::summed) scaling *= density / state_.scales.density;
-    if (state_.narrowing) narrow(b, second, scaling);
+    if constexpr (narrowed) narrow(block, sums, second, scaling);
     if constexpr (present<Transport>) shift(b, sums, dv);
     for (int a = 0; a < D; ++a) {
       acceleration[a] = Lane{};
@@ -206,8 +198,16 @@ void sweep_density(State<D>& state, const sph::AnyKernel<D>& any_kernel, const E
     if (state.share) return std::visit(refined, any_kernel, effects.density_diffusion, effects.transport_velocity);
   }
   std::visit(
-      [&]<class Kernel>(const Kernel& kernel, const auto& density, const auto& diffusion, const auto& transport) {
-        run(DensitySweep(state, OneReach<D, Kernel>(state, kernel), density, diffusion, transport, dt, next_dt));
+      [&]<class Kernel, class Density, class Diffusion, class Transport>(
+          const Kernel& kernel, const Density& density, const Diffusion& diffusion, const Transport& transport) {
+        using Reach = OneReach<D, Kernel>;
+        const Reach reach(state, kernel);
+        if constexpr (!Density::summed) {
+          using Narrowed = DensitySweep<D, Reach, Density, Diffusion, Transport, true>;
+          if (state.narrowing) return run(Narrowed(state, reach, density, diffusion, transport, dt, next_dt));
+        }
+        run(DensitySweep<D, Reach, Density, Diffusion, Transport>(state, reach, density, diffusion, transport, dt,
+                                                                  next_dt));
       },
       any_kernel, effects.density, effects.density_diffusion, effects.transport_velocity);
 }

@@ -7,8 +7,8 @@
 // has the further term -w_ij r^2, with s_i and w_i such that sum_j V_j F (s_i - w_i r^2) r^2 = D and the same with r^4
 // is 0. Far pairs then drive velocities apart and close ones pull them together the more; on lattices of every kernel
 // the operator stays positive for all wave vectors from a reach of 2.5 spacings on. Not for noise, which cannot be
-// drawn for such pairs, nor where kernels are cut (bare_fluid.hpp), nor with b, whose directions a cubic lattice then
-// tells apart (4 % at a reach of 3): that is in 2-D without bulk viscosity.
+// drawn for such pairs, nor where kernels are cut (bare_fluid.hpp) or densities summed, nor with b, whose directions a
+// cubic lattice then tells apart (4 % at a reach of 3): that is in 2-D without bulk viscosity.
 #include <fmt/format.h>
 
 #include "hydro/effects/absent.hpp"

@@ -1,9 +1,11 @@
 #pragma once
 // What a step of the flow costs, and what of it each present effect is responsible for: measured by running the scene's
 // flow for some steps with and without it.
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "coupling/friction_course.hpp"
 #include "scene/scene.hpp"
 
 namespace shmoo::coupling {
@@ -26,6 +28,7 @@ struct FlowCosts {
   double builds_per_step = 0;  // at the reference speed
   double speedup = 1;          // wall time on one thread over that on all threads
   std::size_t column_bytes = 0, row_bytes = 0;
+  std::optional<FrictionCourse> friction{};  // where it is implicit and the flow starts at rest; part of a step
   std::vector<EffectCost> effects{};  // the present ones, as they stand in the list of effects
 };
 

@@ -79,6 +79,10 @@ class Fluid {
   const Places* places() const { return places_ ? &*places_ : nullptr; }
   std::uint64_t bounces() const { return bounces_; }  // velocities thrown back at walls so far
   std::uint64_t draws() const { return draws_; }      // random numbers drawn so far, each pair's counted once
+  // Where friction is implicit, else null.
+  const ImplicitFriction<D>* implicit_friction() const {
+    return effects_.implicit_friction ? &*effects_.implicit_friction : nullptr;
+  }
   std::vector<std::string> effects() const { return effects_.names(); }
   const std::vector<StepLimit>& limits() const { return limits_; }
   const std::vector<Derived>& derived() const { return derived_; }

@@ -143,6 +143,7 @@ template <int D>
 void ImplicitFriction<D>::solve(State<D>& state, const RenewWalls& renew_walls, double h) {
   const bool walls = !state.rows.solid().empty();
   const double size = norm(right_);
+  ++solutions_;
   if (walls) {
     const auto& blocks = state.rows.blocks;
     for (std::size_t i = 0; i < blocks.fluid(); ++i) state.velocity[i].setZero();
@@ -162,6 +163,7 @@ void ImplicitFriction<D>::solve(State<D>& state, const RenewWalls& renew_walls, 
     left = norm(r_);
     aim = tolerance * std::max(size, norm(v_));
     if (left <= aim) return;
+    if (round == 0) decline_ += std::log(left / aim);
     left = iterate(state, renew_walls, h, 0.5 * aim);
     if (!walls && left <= aim) return;
   }

@@ -6,6 +6,7 @@
 // The linear systems (1 + h G) v = b are solved without a matrix by BiCGSTAB (van der Vorst 1992): walls that show the
 // fluid extrapolated velocities make G unsymmetric.
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -35,6 +36,10 @@ class ImplicitFriction {
   // The same for dv = -G v dt + noise sqrt(dt); leaves the acceleration alone.
   void shake(State<D>& state, const RenewWalls& renew_walls, double dt);
 
+  // Sum over all solutions so far of ln(residual at first/residual allowed), and how many there were.
+  double decline() const { return decline_; }
+  std::uint64_t solutions() const { return solutions_; }
+
  private:
   using Field = typename FrictionMatrix<D>::Field;
 
@@ -51,6 +56,8 @@ class ImplicitFriction {
   double iterate(State<D>& state, const RenewWalls& renew_walls, double h, double aim);
 
   FrictionMatrix<D> matrix_;
+  double decline_ = 0;
+  std::uint64_t solutions_ = 0;
   Field v_, right_, r_, shadow_, p_, q_, s_, t_;
   std::vector<base::Vec<D>> source_, start_;  // by particle
   std::vector<base::Vec<D>> wall_at_rest_;    // [m/s] of solids about a fluid at rest

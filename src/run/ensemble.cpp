@@ -78,6 +78,7 @@ class Ensemble {
   // What all realisations share.
   bool prepare() {
     omp_set_num_threads(options_.threads);
+    malloc_trim(0);  // what reading and building the scene needed for a moment goes back
     const double before = cpu_seconds();
     ProgressBar bar("shared by all realisations", 1, 0, 1, options_.progress);
     Recorder recorder(results_.layout, Recorder::Source::preparation);

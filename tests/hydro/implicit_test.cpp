@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "scenes.hpp"
 
 namespace shmoo::hydro::testing {
@@ -92,6 +95,26 @@ TEST(ImplicitFriction, HasTheSameBitsForAnyThreads) {
   for (int k = 0; k < 3; ++k) three.step();
   omp_set_num_threads(before);
   for (const auto i : one.state().rows.fluid()) ASSERT_EQ(one.velocity(i), three.velocity(i));
+}
+
+// A flow that starts at rest, v = V (1 - exp(-t/tau)), changes in a step by dt/tau/(exp(t/tau) - 1) of itself, and as
+// that falls so does what solutions must make up for.
+TEST(ImplicitFriction, TheSolversWorkFallsWithTheChangeOfAStep) {
+  auto fluid = make_fluid<2>(slow_channel(20, scene::ViscousStep::implicit_step));
+  const auto decline_of_step = [&] {
+    const auto& solver = *fluid.implicit_friction();
+    const double before = solver.decline(), solutions = double(solver.solutions());
+    fluid.step();
+    return (solver.decline() - before) / (double(solver.solutions()) - solutions);
+  };
+  const auto until = [&](std::uint64_t step) {
+    while (fluid.steps() + 1 < step) fluid.step();
+    return decline_of_step();
+  };
+  const double tau = 1.0 / (std::numbers::pi * std::numbers::pi);  // [s] w^2/(pi^2 nu)
+  const double at_4 = until(4), early = std::expm1(fluid.time() / tau);
+  const double at_16 = until(16), late = std::expm1(fluid.time() / tau);
+  EXPECT_NEAR(at_4 - at_16, std::log(late / early), 0.1);
 }
 
 }  // namespace shmoo::hydro::testing

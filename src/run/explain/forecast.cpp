@@ -47,7 +47,10 @@ double mean_pace(const scene::Scene& scene, const coupling::Numbers& numbers, do
 double flow_seconds(const scene::Scene& scene, const coupling::Numbers& numbers, const coupling::FlowCosts& flow,
                     const Forecast& forecast) {
   const double builds = flow.builds_per_step * mean_pace(scene, numbers, forecast.flow_time);
-  return forecast.flow_steps * (flow.step_seconds + builds * flow.build_seconds);
+  const double step = flow.friction
+                          ? flow.step_seconds - flow.friction->seconds + flow.friction->mean(forecast.flow_steps)
+                          : flow.step_seconds;
+  return forecast.flow_steps * (step + builds * flow.build_seconds);
 }
 
 void plan_flow(const scene::Scene& scene, const coupling::Numbers& numbers, Forecast& forecast) {
@@ -128,7 +131,8 @@ void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, con
   Parts parts{{"program and libraries", double(rehearsal.program_bytes + idle_bytes)},
               {"particles, network, records of their places", double(rehearsal.experiment_bytes)},
               {"statistics of all realisations", results_bytes(layout, scene.run.realisations, filled)},
-              {"voxels and jump tables of the intervals", more * double(rehearsal.kept_bytes)}};
+              {"voxels and jump tables of the intervals", more * rehearsal.kept_bytes},
+              {"gaps between them", rehearsal.gap_bytes}};
   const Parts preparing{{"what is shared, under way", rehearsal.preparing_bytes}};
   Parts realising{{"realisations under way", workers * rehearsal.realising_bytes},
                   {"what they record", workers * recorded}};
@@ -138,8 +142,10 @@ void add_memory(const scene::Scene& scene, const coupling::Numbers& numbers, con
   const Parts writing{{"what realisations under way record", (workers - 1.0) * recorded},
                       {"writing the result", writing_bytes(layout)},
                       library};
+  const double lasting = sum(parts) - parts.front().second;  // is not all there when the experiment is made
+  const Parts making{{"setting up the scene", std::max(0.0, rehearsal.making_bytes - lasting)}};
   const auto& largest =
-      std::max({preparing, realising, writing}, [](const auto& a, const auto& b) { return sum(a) < sum(b); });
+      std::max({making, preparing, realising, writing}, [](const auto& a, const auto& b) { return sum(a) < sum(b); });
   parts.insert(parts.end(), largest.begin(), largest.end());
   for (const auto& [name, bytes] : parts)
     if (bytes >= 1.0) forecast.memory.emplace_back(name, std::size_t(bytes));
@@ -160,8 +166,8 @@ const char* told(Kind kind) {
 }  // namespace
 
 Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbers,
-                       const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads, const Idle& idle,
-                       double budget) {
+                       const std::optional<coupling::FlowCosts>& flow, const Maker& make,
+                       const coupling::RecordLayout& layout, int threads, const Idle& idle, double budget) {
   Forecast forecast{.start_seconds = idle.seconds, .threads = threads};
   const auto* costs = flow ? &*flow : nullptr;
   plan_flow(scene, numbers, forecast);
@@ -173,7 +179,7 @@ Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbe
   }
   forecast.how = told(play.kind);
   add_times(scene, numbers, costs, play, rehearsal, forecast);
-  add_memory(scene, numbers, play, rehearsal, make(scene)->layout(), idle.heap_bytes, forecast);
+  add_memory(scene, numbers, play, rehearsal, layout, idle.heap_bytes, forecast);
   return forecast;
 }
 

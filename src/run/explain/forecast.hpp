@@ -31,10 +31,10 @@ struct Forecast {
   std::string how{};                                          // what was measured
 };
 
-// The scene must be decided.
+// The scene must be decided, and `layout` its own.
 Forecast make_forecast(const scene::Scene& scene, const coupling::Numbers& numbers,
-                       const std::optional<coupling::FlowCosts>& flow, const Maker& make, int threads, const Idle& idle,
-                       double budget);
+                       const std::optional<coupling::FlowCosts>& flow, const Maker& make,
+                       const coupling::RecordLayout& layout, int threads, const Idle& idle, double budget);
 
 // CPU time of a whole realisation from its first part, and what of that part only the first realisation pays: listing
 // the jumps of moving and of standing voxels. The pace may change linearly until the fraction `until_even`.

@@ -53,6 +53,8 @@ std::size_t Peak::bytes() const {
   return std::max(start_, marked_ ? highest_resident_bytes() : resident_bytes()) - start_;
 }
 
+double Peak::held() const { return double(resident_bytes()) - double(start_); }
+
 double results_bytes(const coupling::RecordLayout& layout, double realisations, const Filled& filled) {
   // Two sums of 16 bytes, an offset, and the bins that hold something: one where all are alike, else about as many as a
   // count's deviation over the width of a bin makes (base/exact.hpp).

@@ -9,7 +9,8 @@ namespace shmoo::run {
 
 std::size_t heap_bytes();      // allocated and not freed
 std::size_t resident_bytes();  // in memory, libraries included
-std::size_t program_bytes();   // in memory that is not allocated: the program and its libraries, as far as they were used
+std::size_t
+program_bytes();  // in memory that is not allocated: the program and its libraries, as far as they were used
 
 // The most that is in memory at a time beyond what there was at the start, counted in whole pages. Where the system
 // cannot set its mark anew (Linux does in /proc/self/clear_refs), what there is when asked counts.
@@ -17,6 +18,7 @@ class Peak {
  public:
   Peak();
   std::size_t bytes() const;
+  double held() const;  // what is there now beyond the start
 
  private:
   bool marked_;

@@ -56,7 +56,11 @@ bool only_sampled(const scene::Scene& scene) {
 class Player {
  public:
   Player(const scene::Scene& scene, const Maker& make, double budget)
-      : scene_(scene), budget_(budget), before_(heap_bytes()), experiment_(make(scene)), made_(heap_bytes()) {
+      : scene_(scene), budget_(budget), before_(heap_bytes()) {
+    const Peak peak;
+    experiment_ = make(scene);
+    result_.making_bytes = double(peak.bytes());
+    made_ = heap_bytes();
     result_.experiment_bytes = made_ - before_;
   }
 
@@ -80,16 +84,20 @@ class Player {
     return elapsed > (seen ? budget_ : patience * budget_);
   }
 
-  // What a part of the play took in memory at most, less what it has left behind and what it recorded.
-  double passing(const Peak& peak, bool shared) {
-    const auto kept = heap_bytes() - made_;
-    const double grown = double(kept - std::min(kept, result_.kept_bytes));
-    result_.kept_bytes = std::max(result_.kept_bytes, kept);
-    return std::max(0.0, double(peak.bytes()) - grown - recorder_bytes(experiment_->layout(), shared));
+  // What a part of the play took in memory at most, less what it has left behind and what it recorded. Between what it
+  // has left behind lie gaps of what it freed, at most as large: `held` is all that was in memory at its end.
+  double passing(const Peak& peak, double held, bool shared) {
+    const double recorded = recorder_bytes(experiment_->layout(), shared), heap = double(heap_bytes() - made_);
+    const double grown = std::max(0.0, heap - result_.kept_bytes);
+    const double gaps = std::clamp(held - recorded - grown, 0.0, grown);
+    result_.kept_bytes += grown;
+    result_.gap_bytes += gaps;
+    return std::max(0.0, double(peak.bytes()) - grown - gaps - recorded);
   }
 
   void prepare() {
     const Peak peak;
+    double held = 0.0;
     const double start = base::cpu_seconds();
     {
       coupling::Progress progress{[&] { return enough(); },
@@ -98,13 +106,15 @@ class Player {
                                   }};
       Recorder recorder(experiment_->layout(), Recorder::Source::preparation);
       result_.prepared = experiment_->prepare(recorder, progress);
+      held = peak.held();
     }
     result_.prepare_seconds = base::cpu_seconds() - start;
-    result_.preparing_bytes = passing(peak, true);
+    result_.preparing_bytes = passing(peak, held, true);
   }
 
   void realise() {
     const Peak peak;
+    double held = 0.0;
     const double start = base::cpu_seconds();
     {
       coupling::Progress progress{[&] { return enough(); },
@@ -114,10 +124,11 @@ class Player {
       Recorder recorder(experiment_->layout(), Recorder::Source::realisation);
       coupling::Outcome outcome;
       result_.finished = experiment_->realise(0, recorder, progress, outcome);
+      held = peak.held();
     }
     result_.closing_seconds =
         base::cpu_seconds() - start - (result_.realised.empty() ? 0.0 : result_.realised.back().seconds);
-    result_.realising_bytes = passing(peak, false);
+    result_.realising_bytes = passing(peak, held, false);
   }
 
   void foretell() {
@@ -141,7 +152,7 @@ class Player {
   double budget_, begin_ = 0;
   std::size_t before_;
   std::unique_ptr<coupling::Experiment> experiment_;
-  std::size_t made_;
+  std::size_t made_ = 0;
   Rehearsal result_;
 };
 

@@ -38,11 +38,13 @@ struct Rehearsal {
   std::vector<Moment> realised{};   // of realisation 0, after every interval
   double closing_seconds = 0;       // CPU time after the last of them
   bool finished = false;
-  std::vector<double> activity{};                    // [1/s] in equal parts of the time played; empty: not foretold
-  std::vector<double> others{};                      // CPU time of further realisations, where the first was short
-  std::size_t experiment_bytes = 0, kept_bytes = 0;  // of the experiment itself, and of what it has come to keep
-  double preparing_bytes = 0, realising_bytes = 0;   // at most, besides these and what is recorded
-  std::size_t program_bytes = 0;                     // of the program and its libraries, as far as the play used them
+  std::vector<double> activity{};                   // [1/s] in equal parts of the time played; empty: not foretold
+  std::vector<double> others{};                     // CPU time of further realisations, where the first was short
+  double making_bytes = 0;                          // at most, while the experiment was made
+  std::size_t experiment_bytes = 0;                 // of the experiment itself
+  double kept_bytes = 0, gap_bytes = 0;             // of what it has come to keep, and of gaps between
+  double preparing_bytes = 0, realising_bytes = 0;  // at most, besides these and what is recorded
+  std::size_t program_bytes = 0;                    // of the program and its libraries, as far as the play used them
 };
 
 using Maker = std::function<std::unique_ptr<coupling::Experiment>(scene::Scene scene)>;

@@ -20,7 +20,8 @@ struct Wish {
 constexpr double flow_budget = 1.0, run_budget = 1.2;  // [s] of CPU time
 
 // What has to be run to be known.
-void measure(Report& report, const Workshop& workshop, int threads, const Idle& idle) {
+void measure(Report& report, const Workshop& workshop, const coupling::RecordLayout& layout, int threads,
+             const Idle& idle) {
   const auto& scene = report.decided.scene;
   const auto& numbers = report.decided.numbers;
   if (scene.effects.flow) report.flow = coupling::measure_flow(scene, threads, flow_budget);
@@ -29,7 +30,7 @@ void measure(Report& report, const Workshop& workshop, int threads, const Idle& 
     report.limits = coupling::judge_limits(scene, numbers, {.particle_steps = pace, .measured = true});
   }
   omp_set_num_threads(1);  // CPU time is that of one thread, as in an ensemble
-  report.forecast = make_forecast(scene, numbers, report.flow, workshop.make, threads, idle, run_budget);
+  report.forecast = make_forecast(scene, numbers, report.flow, workshop.make, layout, threads, idle, run_budget);
 }
 
 void explain(const Wish& wish, const Workshop& workshop) {
@@ -42,8 +43,11 @@ void explain(const Wish& wish, const Workshop& workshop) {
   report.numbers = telling_numbers(scene, report.decided.numbers);
   report.limits = coupling::judge_limits(scene, report.decided.numbers);
   scene.numerics.limits = scene::Limits::warn;  // to be told, not to be stopped by
-  report.derived = workshop.make(std::move(scene))->derived();
-  if (!wish.unmeasured) measure(report, workshop, threads, idle);
+  auto experiment = workshop.make(std::move(scene));
+  report.derived = experiment->derived();
+  const auto layout = experiment->layout();
+  experiment.reset();
+  if (!wish.unmeasured) measure(report, workshop, layout, threads, idle);
   if (wish.json)
     fmt::print("{}\n", as_json(report).dump(2));
   else

@@ -25,7 +25,8 @@ struct Frame {
       departure_capacity;        // [m^D] what each voxel holds at the beginning; sets the volume that is carried
   std::vector<double> capacity;  // [m^D], in the middle
   std::vector<double> arrival_capacity;  // [m^D], at the end
-  double relaxation = 0;                 // [m^2/s] diffusivity of capacity between voxels that carry; 0 where steady
+  double duration = 0;                   // [s] of the interval; 0 where steady
+  double relaxation_time = 0;            // [s] in which capacities become like; 0 where steady
   std::vector<bool> vacant;              // voxels without a particle; empty without open sides
   std::vector<Passage> passages;         // in the interval, in order; they count as happening at its beginning
   bool steady = false;                   // nothing changes any more: the frame serves every later interval, too

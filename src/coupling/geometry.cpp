@@ -15,6 +15,11 @@
 namespace shmoo::coupling {
 namespace {
 
+// Beside a cylinder in a stream capacities stay within 8 % of what the particles fill; with one sweep of a seventh they
+// were off by 64 %, and conduction with them.
+constexpr int sweeps = 4;               // of the relaxation of capacities, in an interval
+constexpr double part_of_excess = 0.5;  // that one sweep moves at most
+
 constexpr std::uint32_t surface = 6;  // boundaries 0..5 are sides, 6 + material its surface
 
 rdme::SideUse use_of(scene::BoundaryType type) {
@@ -174,16 +179,36 @@ rdme::JumpGraph Geometry<D>::carrying_graph(const Frame<D>& frame) const {
   if (frame.steady)
     rdme::make_divergence_free(graph, volume);
   else
-    relax(graph, volume, frame.relaxation);
+    relax(graph, volume, frame);
   return graph;
 }
 
+// Sweeps of explicit diffusion over the interval, after what the fluid carries. `held` [m^3] at its beginning.
 template <int D>
-void Geometry<D>::relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const {
-  for (std::size_t i = 0; i < volume.size(); ++i) {
-    for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) {
-      const double excess = (volume[i] - volume[graph.target[p]]) / (cell_ * scene_.depth);
-      graph.flow[p] += relaxation * volume[i] * graph.coupling[p] * excess;
+void Geometry<D>::relax(rdme::JumpGraph& graph, const std::vector<double>& held, const Frame<D>& frame) const {
+  const double duration = frame.duration;
+  const auto pairs = [&](std::size_t i, auto visit) {
+    for (std::uint64_t p = graph.first[i]; p < graph.first[i + 1]; ++p) visit(p, graph.target[p]);
+  };
+  std::vector<double> volume(held);
+  double fastest = 0.0;  // [1/m^2]
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    double pace = 0.0;
+    pairs(i, [&](std::uint64_t p, std::uint32_t) { pace += graph.coupling[p]; });
+    fastest = std::max(fastest, pace);
+    pairs(i, [&](std::uint64_t p, std::uint32_t) { volume[i] -= graph.flow[p] * duration; });
+  }
+  if (fastest == 0.0 || duration == 0.0) return;
+  const double part =
+      part_of_excess * std::min(1.0, duration / frame.relaxation_time) / (fastest * cell_ * scene_.depth);  // [1/m]
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const std::vector<double> before(volume);
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      pairs(i, [&](std::uint64_t p, std::uint32_t j) {
+        const double passes = part * held[i] * graph.coupling[p] * (before[i] - before[j]);
+        graph.flow[p] += passes / duration;
+        volume[i] -= passes;
+      });
     }
   }
 }

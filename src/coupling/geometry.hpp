@@ -61,7 +61,7 @@ class Geometry {
   double reach() const;  // [m] of the kernel
   std::shared_ptr<const sph::NeighbourRows<D>> rows(const Frame<D>& frame) const;
   rdme::PairWeights weights(const Frame<D>& frame) const;
-  void relax(rdme::JumpGraph& graph, const std::vector<double>& volume, double relaxation) const;
+  void relax(rdme::JumpGraph& graph, const std::vector<double>& held, const Frame<D>& frame) const;
   void add_boundary_exchanges(std::size_t species, const std::vector<rdme::Contact>& contacts,
                               rdme::Voxels& voxels) const;
   rdme::Exchange exchange_of(const scene::SpeciesBoundary& boundary, const rdme::Contact& contact, double volume) const;

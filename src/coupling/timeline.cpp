@@ -98,8 +98,8 @@ Interval<D> Timeline<D>::next_moving(double t, double target) {
   flow_->advance(interval.end, &frame);
   for (const auto& passage : frame.passages) capacity_[passage.voxel] = cell_;
   frame.departure_capacity = frame.capacity = capacity_;
-  // A voxel that is too full by a grid-scale pattern relaxes within a few intervals of the flow.
-  frame.relaxation = scene_.domain.spacing * scene_.domain.spacing / (16.0 * flow_->interval());
+  frame.duration = interval.end - interval.begin;
+  frame.relaxation_time = flow_->interval();
   if (builder_.geometry().carries())
     pass_capacity(frame, interval);
   else

@@ -69,7 +69,7 @@ std::pair<double, double> nonuniformity(const std::string& step) {
 TEST(CarriedSpecies, AUniformConcentrationStaysUniformInAMovingFluid) {
   const auto [coarse, changed] = nonuniformity("\"0.01 s\"");
   const double fine = nonuniformity("\"0.005 s\"").first;
-  EXPECT_GT(changed, 0.01);  // volume did pass between particles
+  EXPECT_GT(changed, 1e-4);  // volume did pass between particles, though what passes is made to cancel
   EXPECT_LT(coarse, 3e-5);
   EXPECT_LT(fine, coarse / 3.0);
 }

@@ -64,7 +64,7 @@ void Recorder<D>::add_flow_fields(bool shared) {
   add_field({"position", "m", false, shared, {n, d}, length, {}}, {Source::position});
   add_field({"velocity", "m/s", false, shared, {n, d}, speed, {}}, {Source::velocity});
   add_field({"density", "kg/m^3", false, shared, {n}, density, {}}, {Source::density});
-  if (scene::has_open_sides(scene_) || scene::refined(scene_))
+  if (scene::particles_come_and_go(scene_))
     add_field({"particle", "1", false, shared, {n}, 1.0, {}}, {Source::particle});
   add_field({"pressure", "Pa", false, shared, {n}, density * speed * speed, {}}, {Source::pressure});
 }

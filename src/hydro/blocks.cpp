@@ -178,6 +178,8 @@ void Blocks<D>::add_others() {
   if (any_mirror()) images.turned.assign(solids_, 0);
   for (int a = 0; a < D; ++a)
     if (box_.periodic[a] || mirrors_[a][0] || mirrors_[a][1]) add_images(images, a);
+  fluid_images_ = std::any_of(images.source.begin() + std::ptrdiff_t(solids_), images.source.end(),
+                              [&](std::uint32_t source) { return source < fluid_; });
   other_columns_.sort(grid_, images.point);
   const auto order = other_columns_.order();
   shift_.resize(order.size());

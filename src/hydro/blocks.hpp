@@ -83,9 +83,10 @@ class Blocks {
     for (std::size_t s = block_slots(); s < particle_.size(); ++s) fill(s, std::size_t(particle_[s]));
   }
 
-  // Calls visit(particle) for the particles that may lie within `cutoff` of where particle i was at build(), each once.
+  // Calls visit(particle) for the particles that may lie within `cutoff` of where particle i was at build(), each once;
+  // where only the fluid is wanted others may be left out.
   template <class Visit>
-  void visit_around(std::size_t i, Visit&& visit) const {
+  void visit_around(std::size_t i, bool only_fluid, Visit&& visit) const {
     const Vec x = anchor_[i];
     const auto each = [&](std::size_t first, const std::uint32_t* particle) {
       return [&visit, first, particle](std::size_t, std::uint32_t begin, std::uint32_t end) {
@@ -93,6 +94,7 @@ class Blocks {
       };
     };
     fluid_columns_.visit(x, x, cutoff_, each(0, nullptr));
+    if (only_fluid && !fluid_images_) return;
     other_columns_.visit(x, x, cutoff_, each(block_slots(), particle_.data()));
   }
 
@@ -110,6 +112,7 @@ class Blocks {
     std::vector<std::uint8_t> turned;   // bit by axis; where there are mirrors
   };
   bool any_mirror() const;
+  bool fluid_images_ = false;  // whether any are among the others
   double plane(int axis, int side) const { return snap((side == 0 ? box_.lower : box_.upper)[axis] - origin_[axis]); }
   void add_images(Images& images, int axis) const;
   void measure(const std::vector<Vec>& position);

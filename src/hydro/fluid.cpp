@@ -26,7 +26,7 @@ Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
     : solids_(scene, filling),
       open_(scene::has_open_sides(scene) ? std::make_optional<OpenSides<D>>(scene, filling) : std::nullopt),
       spacings_(scene::refined(scene) ? std::make_optional<Spacings<D>>(scene) : std::nullopt),
-      places_(open_ || spacings_ ? std::make_optional<Places>(filling) : std::nullopt),
+      places_(scene::particles_come_and_go(scene) ? std::make_optional<Places>(filling) : std::nullopt),
       mirrors_(filling.mirrors),
       enclosed_(!open_ && is_enclosed(filling)),
       state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),

@@ -86,7 +86,7 @@ void PairRows<D>::list_row(const sph::Particles<D>& particles, const std::vector
   const bool flows = i < blocks.fluid();
   const std::size_t before = row.size();
   bool met_solid = !flows;
-  blocks.visit_around(i, [&](std::size_t j) {
+  blocks.visit_around(i, !flows, [&](std::size_t j) {
     if (j == i || (!flows && j >= blocks.fluid())) return;
     if (!(box_.nearest(x[i] - x[j]).squaredNorm() < limit(j))) return;
     row.push_back(std::int32_t(j));

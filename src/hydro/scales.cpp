@@ -12,6 +12,7 @@
 #include "hydro/effects/closed_room.hpp"
 #include "hydro/effects/pressure.hpp"
 #include "hydro/extents.hpp"
+#include "hydro/lattice_moments.hpp"
 #include "hydro/open/opening.hpp"
 #include "hydro/speeds.hpp"
 #include "scene/motion.hpp"
@@ -147,23 +148,11 @@ void derive_shocks(const scene::Scene& scene, const sph::Filling<D>& filling, Sc
 // Sums over the starting lattice: gamma = (alpha + beta/D) sum_j V_j F_ij/rho, and sum_j W_ij.
 template <int D>
 void sum_lattice(const scene::Scene& scene, Scales<D>& scales) {
-  const auto kernel = sph::make_kernel<D>(scene.numerics.kernel, scales.reach);
-  const int most = static_cast<int>(std::ceil(scene.numerics.reach));
-  const int depth = D == 3 ? most : 0;
-  double F = 0.0, W = 0.0;
-  for (int k = -depth; k <= depth; ++k) {
-    for (int j = -most; j <= most; ++j) {
-      for (int i = -most; i <= most; ++i) {
-        const double r = scales.spacing * std::sqrt(double(i * i + j * j + k * k));
-        W += std::visit([&](const auto& each) { return each.W(r); }, kernel);
-        if (r > 0.0) F += std::visit([&](const auto& each) { return each.F(r); }, kernel);
-      }
-    }
-  }
+  const double F = lattice_sum_F(scene, scales, 0);
   const double alpha = friction_alpha<D>(scales.viscosity, scales.bulk_viscosity);
   const double beta = friction_beta<D>(scales.viscosity, scales.bulk_viscosity);
   scales.friction = (alpha + beta / D) * F * std::pow(scales.spacing, D) / scales.density;
-  scales.lattice_sum = W;
+  scales.lattice_sum = lattice_sum(scene, scales, [](const auto& kernel, double r) { return kernel.W(r); });
 }
 
 // Densities are summed where there is noise.

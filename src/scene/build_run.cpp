@@ -67,7 +67,7 @@ void read_record(const Section& section, Scene& scene) {
   if (!scene.species.empty() && scene.compartments.empty()) known.emplace_back("volume");
   if (quasi_static(scene)) known.insert(known.end(), {"position", "hoop_strain", "hoop_stress"});
   if (in_motion(scene)) known.insert(known.end(), flow_fields.begin(), flow_fields.end());
-  if (has_open_sides(scene) || refined(scene)) known.emplace_back("particle");
+  if (particles_come_and_go(scene)) known.emplace_back("particle");
   for (const auto& [name, node] : section.names("record")) {
     if (std::find(known.begin(), known.end(), name) != known.end()) {
       scene.run.record.push_back(name);

@@ -109,9 +109,8 @@ Verdict judge_transport(const scene::Scene& scene, const Numbers& numbers, doubl
       verdict.warning = "a driven flow may draw particles into lines; look at the smallest distance, or switch it on";
     return verdict;
   }
-  if (numbers.flow.mach() > 0.3)
-    return {false, value,
-            "beyond Mach 0.3 it would squeeze mass through shocks; it does not act where the fluid fills its room"};
+  if (numbers.flow.shocks)
+    return {false, value, "it would squeeze mass through the shocks of an isothermal gas, which the fluid is here"};
   if (value > threshold) return {true, value, "particles move far enough to lose their even spacing"};
   return {false, value, "particles hardly leave their places"};
 }

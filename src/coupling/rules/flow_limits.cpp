@@ -17,7 +17,7 @@ Limit mach(const Numbers& numbers) {
           0.1,
           1.0,
           fmt::format("U/c0 = {:.3g}/{:.3g} m/s; density varies by its square{}", flow.speed, flow.sound_speed,
-                      flow.mach() > 0.3 ? "; computed as an isothermal gas where it fills its room" : ""),
+                      flow.shocks ? "; computed as an isothermal gas" : ""),
           fmt::format("leave flow.sound_speed out, or give at least {:.3g} m/s", 10.0 * flow.speed),
           "Monaghan 1994: density variation (U/c0)^2, 1 % at 0.1"};
 }

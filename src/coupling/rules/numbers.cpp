@@ -104,6 +104,7 @@ void add_scales(const scene::Scene& scene, const sph::Filling<D>& filling, FlowN
   flow.body_force = scales.body_force.norm();
   flow.sound_speed = scales.sound_speed;
   flow.smoothing = scales.smoothing;
+  flow.shocks = scales.shocks;
 }
 
 template <int D>

@@ -35,6 +35,7 @@ struct FlowNumbers {
   double kinematic_viscosity = 0, density = 0;            // [m^2/s], [kg/m^3]
   double body_force = 0;                                  // [m/s^2]
   double sound_speed = 0, smoothing = 0;                  // [m/s], [m] c0 and hs
+  bool shocks = false;                                    // it is an isothermal gas, see hydro::Scales
   double step = std::numeric_limits<double>::infinity();  // [s] the time step
   std::string step_rule;                                  // which limit sets it
   std::vector<hydro::StepLimit> limits;

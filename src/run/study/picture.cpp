@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "run/plot/gnuplot.hpp"
 #include "run/plot/style.hpp"
@@ -13,9 +14,28 @@
 namespace shmoo::run::study {
 namespace {
 
-// Told apart also by colour-blind eyes (M. Okabe and K. Ito 2008), and by their symbols.
+// Told apart also by colour-blind eyes (M. Okabe and K. Ito 2008), and by their symbols; beyond eight methods colours
+// come again, with other symbols and dashes.
 constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999999"};
-constexpr std::array symbols{7, 5, 9, 13, 11, 15, 6, 4};
+constexpr std::array symbols{7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14, 3};
+
+// Beside the plot, as wide as its longest line, one line below the other.
+struct Legend {
+  static constexpr double sample = 62, letter = 6.4;  // [pixels]
+  double width = 0;
+
+  explicit Legend(std::span<const std::string> names) {
+    std::size_t longest = 0;
+    for (const auto& name : names) longest = std::max(longest, name.size());
+    width = std::min(sample + letter * double(longest), 0.45 * curve_width);
+  }
+  std::string script() const {
+    return fmt::format(
+        "set key at screen 0.985,0.80 right top vertical maxrows auto Left reverse samplen 2.4\nset rmargin at screen "
+        "{:.4f}\n",
+        1.0 - width / curve_width);
+  }
+};
 
 struct Line {
   std::string method;
@@ -80,6 +100,7 @@ bool draw_work_precision(const std::string& title, const Verdict& verdict, const
   const Gnuplot gnuplot;
   Limits cpu, error;
   std::string plot;
+  std::vector<std::string> names{"Pareto front"};
   const auto front = front_of(verdict);
   gnuplot.table("front", front);
   plot = fmt::format(
@@ -91,15 +112,17 @@ bool draw_work_precision(const std::string& title, const Verdict& verdict, const
     gnuplot.table(fmt::format("line{}", l), {line.cpu, line.error, line.low, line.high});
     plot += fmt::format(
         ", \\\n  'line{0}' using 1:2:3:4 with yerrorbars pt {1} ps 1.1 lw 1.2 lc rgb '{2}' notitle"
-        ", \\\n  'line{0}' using 1:2 with linespoints pt {1} ps 1.1 lw 1.6 lc rgb '{2}' title {3}",
-        l, symbols[l % symbols.size()], colours[l % colours.size()], quoted(line.method));
+        ", \\\n  'line{0}' using 1:2 with linespoints pt {1} ps 1.1 lw 1.6 dt {4} lc rgb '{2}' title {3}",
+        l, symbols[l % symbols.size()], colours[l % colours.size()], quoted(line.method), 1 + l / colours.size() % 4);
+    names.push_back(line.method);
   }
   auto script = curve_style(title, fmt::format("{}: error ({}) against CPU time", verdict.quantity, verdict.norm));
   script += fmt::format(
-      "set key at screen 0.97,0.86\nset tmargin at screen 0.80\nset logscale xy\nset xtics {}\nset ytics {}\nset "
+      "set tmargin at screen 0.84\nset logscale xy\nset xtics {}\nset ytics {}\nset "
       "xlabel 'CPU time of one run "
       "(s)'\nset ylabel 'error' offset 0.5,0\nset xrange {}\nset yrange {}\n",
       cpu.tics(), error.tics(), cpu.range(), error.range());
+  script += Legend(names).script();
   gnuplot.draw(script + plot + "\n", curve_width, curve_height, png);
   return true;
 }

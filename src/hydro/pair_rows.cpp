@@ -9,6 +9,17 @@ namespace {
 
 constexpr std::size_t rows_per_chunk = 256;  // fixed, so that nothing depends on the number of threads
 
+// What was there is not wanted any more: it goes before more room is taken, so that both are never held.
+template <class Value>
+void make_room(std::vector<Value>& values, std::size_t size) {
+  values.clear();
+  if (values.capacity() < size) {
+    std::vector<Value>().swap(values);
+    values.reserve(size + size / 16);
+  }
+  values.resize(size);
+}
+
 }  // namespace
 
 template <int D>
@@ -63,8 +74,8 @@ void PairRows<D>::list_rows(const sph::Particles<D>& particles, const std::vecto
     }
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  partner_.resize(first_[n]);
-  weight.resize(first_[n]);
+  make_room(partner_, first_[n]);
+  make_room(weight, first_[n]);
   auto next = partner_.begin();
   for (const Chunk& chunk : chunks_) next = std::copy(chunk.partner.begin(), chunk.partner.end(), next);
   solid_.clear();

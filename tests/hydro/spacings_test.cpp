@@ -104,7 +104,7 @@ TEST(Spacings, AStreamUnderPressurePassesTheBorders) {
   const auto off = deviation(fluid, stream);
   EXPECT_EQ(mass(fluid), 1600.0);
   EXPECT_LT(off.mean, 0.005);
-  EXPECT_LT(off.largest, 0.02);
+  EXPECT_LT(off.largest, 0.015);
   EXPECT_LT(fluid.density_error(), 1e-3);
 }
 
@@ -122,8 +122,8 @@ TEST(Spacings, PairForcesKeepMomentum) {
 
 TEST(Spacings, AChannelMayBeFineAlongOneWall) {
   auto scene = poiseuille_scene(20);
-  scene.domain.upper[0] = 1.0;
-  refine(scene, {0.0, 0.0}, {1.0, 0.5});
+  scene.domain.upper[0] = 0.5;
+  refine(scene, {0.0, 0.0}, {0.5, 0.5});
   auto fluid = make_fluid<2>(scene);
   fluid.advance(6.0);
   EXPECT_LT(deviation(fluid, parabola).largest, 0.005);
@@ -131,8 +131,8 @@ TEST(Spacings, AChannelMayBeFineAlongOneWall) {
 
 TEST(Spacings, AChannelFlowsThroughAFineZone) {
   auto scene = poiseuille_scene(20);
-  scene.domain.upper[0] = 2.0;
-  refine(scene, {0.5, 0.0}, {1.5, 1.0});
+  scene.domain.upper[0] = 1.0;
+  refine(scene, {0.25, 0.0}, {0.75, 1.0});
   auto fluid = make_fluid<2>(scene);
   fluid.advance(6.0);
   const auto off = deviation(fluid, parabola);
@@ -146,15 +146,15 @@ TEST(Spacings, TaylorGreenVorticesDecayAcrossAFineZone) {
   refine(scene, {0.26, 0.26}, {0.74, 0.74});
   auto fluid = make_fluid<2>(scene);
   const double start = fluid.kinetic_energy();
-  fluid.advance(1.0);
-  const double decay = std::exp(-8.0 * std::numbers::pi * std::numbers::pi * 0.01);
+  fluid.advance(0.5);
+  const double decay = std::exp(-8.0 * std::numbers::pi * std::numbers::pi * 0.01 * 0.5);
   EXPECT_NEAR(fluid.max_speed() / decay, 1.0, 0.0075);
   EXPECT_NEAR(fluid.kinetic_energy() / (start * decay * decay), 1.0, 0.01);
 }
 
 TEST(Spacings, IdsAndPlacesAreNeverShared) {
   auto fluid = make_fluid<2>(stream_scene());
-  for (int k = 1; k <= 5; ++k) {
+  for (int k = 1; k <= 3; ++k) {
     fluid.advance(0.1 * k);
     std::set<std::uint32_t> ids, places;
     for (std::size_t i = 0; i < fluid.particles().size(); ++i) {

@@ -29,6 +29,7 @@ Fluid<D>::Fluid(const scene::Scene& scene, sph::Filling<D>&& filling, Bare)
       places_(scene::particles_come_and_go(scene) ? std::make_optional<Places>(filling) : std::nullopt),
       mirrors_(filling.mirrors),
       enclosed_(!open_ && is_enclosed(filling)),
+      covered_(is_covered(scene, filling)),
       state_(std::move(filling), derive_scales<D>(scene, filling, derived_)),
       kernel_(sph::make_kernel<D>(scene.numerics.kernel, state_.scales.reach)),
       walls_(scene),
@@ -65,6 +66,7 @@ void Fluid<D>::initialise(const scene::Scene& scene) {
   walls_.prepare(state_, scene);
   solids_.prepare(state_, scene);
   if (!enclosed_) effects_.closed_room.reset();
+  if (!covered_) effects_.density_tie.reset();
   if (effects_.closed_room) effects_.closed_room->prepare(state_, solids_.solids().volume());
   find_step();
   restart();
@@ -195,6 +197,8 @@ void Fluid<D>::evaluate(double dt) {
   const double solids = solids_.solids().volume();
   if (effects_.closed_room && dt > 0.0 && effects_.closed_room->due(steps_, solids))
     effects_.closed_room->apply(state_, solids);
+  if (effects_.density_tie && dt > 0.0 && effects_.density_tie->due(steps_))
+    effects_.density_tie->apply(state_, kernel_, dt);
   walls_.extrapolate_pressure(state_, time_);
   if (open_) open_->set_pressure(state_, kernel_);
   fill_stress();

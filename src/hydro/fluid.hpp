@@ -114,7 +114,7 @@ class Fluid {
   std::optional<Spacings<D>> spacings_;
   std::optional<Places> places_;
   typename Blocks<D>::Mirrors mirrors_;
-  bool any_mirror_ = false, enclosed_;
+  bool any_mirror_ = false, enclosed_, covered_;
   State<D> state_;
   sph::AnyKernel<D> kernel_;
   Walls<D> walls_;

@@ -51,16 +51,27 @@ bool PairRows<D>::follow(const sph::Particles<D>& particles) {
   return blocks.follow(particles.position.values()) < 0.25 * skin_ * skin_;
 }
 
-// Of solids, and of the blocks that have some about.
+// The particles of blocks that have solids about, and those solids: deep in a wall there is nothing to list.
+template <int D>
+std::vector<std::uint32_t> PairRows<D>::rows_wanted(std::size_t particles) const {
+  std::vector<std::uint32_t> wanted;
+  std::vector<char> met(particles, 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Block& block = blocks[b];
+    if (!block.at_wall) continue;
+    for (std::uint32_t l = 0; l < block.size; ++l) wanted.push_back(block.first + l);
+    const std::int32_t* partners = blocks.partners(block);
+    for (std::uint32_t k = 0; k < block.partners; ++k) met[blocks.particle(std::size_t(partners[k]))] = 1;
+  }
+  for (std::size_t i = blocks.fluid(); i < particles; ++i)
+    if (met[i]) wanted.push_back(std::uint32_t(i));
+  return wanted;
+}
+
 template <int D>
 void PairRows<D>::list_rows(const sph::Particles<D>& particles, const std::vector<double>* smoothing) {
   const std::size_t n = particles.size();
-  std::vector<std::uint32_t> wanted;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (!blocks[b].at_wall) continue;
-    for (std::uint32_t l = 0; l < blocks[b].size; ++l) wanted.push_back(blocks[b].first + l);
-  }
-  for (std::size_t i = blocks.fluid(); i < n; ++i) wanted.push_back(std::uint32_t(i));
+  const auto wanted = rows_wanted(n);
   first_.assign(n + 1, 0);
   chunks_.resize((wanted.size() + rows_per_chunk - 1) / rows_per_chunk);
 #pragma omp parallel for schedule(dynamic) if (worth_threads(4 * wanted.size()))

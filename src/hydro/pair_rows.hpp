@@ -49,6 +49,7 @@ class PairRows {
   struct Chunk {
     std::vector<std::int32_t> partner;
   };
+  std::vector<std::uint32_t> rows_wanted(std::size_t particles) const;
   void list_rows(const sph::Particles<D>& particles, const std::vector<double>* smoothing);
   void list_row(const sph::Particles<D>& particles, const std::vector<double>* smoothing, std::size_t i,
                 std::vector<std::int32_t>& row) const;

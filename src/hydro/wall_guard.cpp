@@ -159,12 +159,14 @@ std::pair<base::Vec<D>, base::Vec<D>> WallGuard<D>::nearest_normal(const Vec& pl
 }
 
 template <int D>
-bool WallGuard<D>::turn_back(State<D>& state, const WallMotion<D>& motion, std::size_t i, const Vec& start, int frame,
-                             double t, double dt) const {
+typename WallGuard<D>::Hit WallGuard<D>::meet(const Way& way, int frame) const {
+  return wall_at(way.from, frame) == nothing ? find(way, frame) : hold(way, frame);
+}
+
+template <int D>
+void WallGuard<D>::turn_back(State<D>& state, const WallMotion<D>& motion, std::size_t i, const Hit& hit, int frame,
+                             double t) const {
   Vec& x = state.particles.position[i];
-  const Way way = seen_from(frame, motion, x, box_.nearest(x - start), t, dt);
-  const Hit hit = wall_at(way.from, frame) == nothing ? find(way, frame) : hold(way, frame);
-  if (hit.material == nothing) return false;
   const auto material = std::size_t(hit.material);
   x = box_.wrap(frame == resting ? hit.end : motion.carry(material, hit.end, 0.0, t));
   const Vec n = frame == resting ? hit.normal : motion.turn(material, hit.normal, motion.moving(material, 0.0, t));
@@ -174,7 +176,33 @@ bool WallGuard<D>::turn_back(State<D>& state, const WallMotion<D>& motion, std::
     state.velocity[i] -= 2.0 * std::min(0.0, relative.dot(n)) * n;
   else if (n == Vec::Zero() || relative.dot(n) < 0.0)
     state.velocity[i] = wall - relative;
-  return true;
+}
+
+// Whether the particle has been turned back.
+template <int D>
+bool WallGuard<D>::guard(State<D>& state, const WallMotion<D>& motion, std::size_t i, double t, double dt) const {
+  Vec& x = state.particles.position[i];
+  const Vec shift = state.shift ? (*state.shift)[i] : Vec::Zero();
+  const Vec start = x - dt * (state.velocity[i] + shift);
+  bool shifted = shift != Vec::Zero(), turned = false, again = true;
+  for (int round = 0; again && round < rounds; ++round) {
+    again = false;
+    for (const int frame : frames_) {
+      const Hit hit = meet(seen_from(frame, motion, x, box_.nearest(x - start), t, dt), frame);
+      if (hit.material == nothing) continue;
+      again = true;
+      if (shifted) {
+        shifted = false;
+        round = -1;
+        x = box_.wrap(start + dt * state.velocity[i]);
+        if (state.mean_shift) (*state.mean_shift)[i] -= dt * shift;
+        break;
+      }
+      turn_back(state, motion, i, hit, frame, t);
+      turned = true;
+    }
+  }
+  return turned;
 }
 
 template <int D>
@@ -196,16 +224,7 @@ std::uint64_t WallGuard<D>::apply(State<D>& state, const WallMotion<D>& motion, 
   for (std::size_t n = 0; n < near.size(); ++n) {
     const std::size_t i = near[n];
     if (!touches(state, i)) continue;
-    Vec path = state.velocity[i];
-    if (state.shift) path += (*state.shift)[i];
-    const Vec start = state.particles.position[i] - dt * path;
-    bool turned = false, again = true;
-    for (int round = 0; again && round < rounds; ++round) {
-      again = false;
-      for (const int frame : frames_) again = turn_back(state, motion, i, start, frame, t, dt) || again;
-      turned = turned || again;
-    }
-    count += turned;
+    count += guard(state, motion, i, t, dt);
   }
   return count;
 }

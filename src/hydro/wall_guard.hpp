@@ -3,7 +3,8 @@
 // held against the wall's own shape (its regions, or the side of the domain), not against its particles. Where it runs
 // into the wall the particle goes back along its way, and its velocity relative to the wall is reversed (bounce-back of
 // the sph-bvf method, found by a swept test in place of a volume fraction: so it holds for walls of any thinness and
-// curvature, for several hits in one corner, and however particles are squeezed together). Elastic solids have no such
+// curvature, for several hits in one corner, and however particles are squeezed together). Where only the shift of the
+// transport velocity leads into the wall it is not made: it is no motion of the fluid. Elastic solids have no such
 // shape; BounceBack guards them.
 #include <cstdint>
 #include <vector>
@@ -39,11 +40,13 @@ class WallGuard {
   int wall_at(const Vec& x, int frame) const;  // the material, or nothing
   int side_beyond(const Vec& x) const;
   Way seen_from(int frame, const WallMotion<D>& motion, const Vec& x, const Vec& path, double t, double dt) const;
+  Hit meet(const Way& way, int frame) const;
   Hit find(const Way& way, int frame) const;
   Hit hold(const Way& way, int frame) const;
   std::pair<Vec, Vec> nearest_normal(const Vec& x, double within) const;
-  bool turn_back(State<D>& state, const WallMotion<D>& motion, std::size_t i, const Vec& start, int frame, double t,
-                 double dt) const;
+  bool guard(State<D>& state, const WallMotion<D>& motion, std::size_t i, double t, double dt) const;
+  void turn_back(State<D>& state, const WallMotion<D>& motion, std::size_t i, const Hit& hit, int frame,
+                 double t) const;
   bool touches(const State<D>& state, std::size_t i) const;
 
   base::Box<D> box_;

@@ -65,6 +65,29 @@ steady_tolerance = 0.01
 until = "1 s"
 )toml";
 
+const char* const bored = R"toml(
+dimension = 3
+[domain]
+size = ["10 um", "16 um", "16 um"]
+origin = ["0 um", "-8 um", "-8 um"]
+spacing = "1 um"
+material = "glass"
+[materials.water]
+type = "fluid"
+density = "1000 kg/m^3"
+viscosity = "1e-3 Pa s"
+[materials.glass]
+type = "wall"
+[[region]]
+shape = "revolved"
+corners = [["-5 um", "0 um"], ["-5 um", "4 um"], ["15 um", "3 um"], ["15 um", "0 um"]]
+material = "water"
+[flow]
+body_force = ["80 m/s^2", "0 m/s^2", "0 m/s^2"]
+[run]
+until = "1 s"
+)toml";
+
 std::vector<Limit> limits_of(const char* text, const scene::Overrides& overrides, const Pace& pace = {}) {
   const auto decided = decide(scene::read_scene_text(text, "test.toml", overrides));
   return judge_limits(decided.scene, decided.numbers, pace);
@@ -126,6 +149,14 @@ TEST(Limits, LayersInAWall) {
   EXPECT_EQ(thin.standing(), Standing::warn);
   EXPECT_NEAR(thin.value, 1.5, 1e-9);  // 3 wanted, 2 there
   EXPECT_NE(thin.suggestion.find("3e-06 m thick"), std::string::npos) << thin.suggestion;
+}
+
+TEST(Limits, ParticlesAcrossARoundBore) {
+  const auto coarse = limit("particles wanted across", bored);
+  EXPECT_EQ(coarse.standing(), Standing::warn);
+  EXPECT_NEAR(coarse.value, 8.0 / 6.0, 1e-9);  // of the narrow end
+  EXPECT_NE(coarse.suggestion.find("7.5e-07 m"), std::string::npos) << coarse.suggestion;
+  EXPECT_EQ(limit("particles wanted across", bored, {{"domain.spacing", "\"0.5 um\""}}).standing(), Standing::ok);
 }
 
 TEST(Limits, SummedDensitiesWithoutNoise) {

@@ -58,6 +58,22 @@ Limit wall_layers(const scene::Scene& scene, double layers) {
       "Adami, Hu & Adams 2012: walls fill the kernel's support"};
 }
 
+// Walls are cut from the lattice, and fits on them ask for a radius of a kernel's reach.
+Limit bore(const scene::Scene& scene, double diameter) {
+  constexpr double wanted = 8.0;
+  const double across = diameter / scene.domain.spacing;
+  return {
+      "particles wanted across a round bore over particles across",
+      wanted / across,
+      1.0,
+      infinite,
+      fmt::format("{:.3g} particles across {:.3g} m; with 4 a bore has 5 % too few and with 6 13 % too many "
+                  "particles in its cross-section, with 8 3 %, and what is asked to pass is as much too fast or slow",
+                  across, diameter),
+      fmt::format("set domain.spacing to at most {:.2g} m", diameter / wanted),
+      "measured: straight pipes, and a throat behind a cone"};
+}
+
 // The fluid's pressures, about rho max(U^2, nu U/L, g L), over the modulus of the softest solid. Tried on a disk in
 // vortices (shmoo verify stability, soft-solid): at 1 energy only falls, at 3 it rises by 4 % in 4 s, at 10 to 50 the
 // solid is turned inside out.
@@ -113,6 +129,7 @@ void judge_flow_limits(const scene::Scene& scene, const Numbers& numbers, std::v
   if (numbers.flow.speed > 0.0) limits.push_back(mach(numbers));
   limits.push_back(support(scene));
   if (const double layers = thinnest_wall(scene); std::isfinite(layers)) limits.push_back(wall_layers(scene, layers));
+  if (const double diameter = narrowest_bore(scene); std::isfinite(diameter)) limits.push_back(bore(scene, diameter));
   add_softness(scene, numbers, limits);
   add_trembling(scene, numbers, limits);
   add_cell_peclet(scene, numbers, limits);

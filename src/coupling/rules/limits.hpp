@@ -50,4 +50,7 @@ void enforce(const scene::Scene& scene, const std::vector<Limit>& limits);
 // infinite where no fluid touches a wall.
 double thinnest_wall(const scene::Scene& scene);
 
+// [m] The least diameter of the revolved outlines in which fluid may flow; infinite without any.
+double narrowest_bore(const scene::Scene& scene);
+
 }  // namespace shmoo::coupling

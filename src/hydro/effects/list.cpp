@@ -57,6 +57,7 @@ Effects<D> Effects<D>::choose(const scene::Scene& scene, const Scales<D>& scales
   if (scene.numerics.shepard_every > 0)
     effects.shepard_filter = ShepardFilter<D>{std::uint64_t(scene.numerics.shepard_every)};
   if (!sums) effects.closed_room = ClosedRoom<D>::choose(scene);
+  if (!sums) effects.density_tie = DensityTie<D>::choose(scene, scales);
   effects.transport_velocity = TransportVelocity<D>::choose(scene, scales);
   effects.viscosity = Viscosity<D>::choose(scene, scales);
   if (ImplicitFriction<D>::chosen(scene, scales)) {
@@ -86,6 +87,7 @@ std::vector<std::string> Effects<D>::names() const {
   add(density_diffusion);
   if (shepard_filter) names.emplace_back(ShepardFilter<D>::name);
   if (closed_room) names.emplace_back(ClosedRoom<D>::name);
+  if (density_tie) names.emplace_back(DensityTie<D>::name);
   add(transport_velocity);
   add(viscosity);
   if (implicit_friction) names.emplace_back(ImplicitFriction<D>::name);
@@ -118,6 +120,10 @@ bool Effects<D>::remove(std::string_view name) {
   }
   if (closed_room && name == ClosedRoom<D>::name) {
     closed_room.reset();
+    removed = true;
+  }
+  if (density_tie && name == DensityTie<D>::name) {
+    density_tie.reset();
     removed = true;
   }
   if (implicit_friction && name == ImplicitFriction<D>::name) {

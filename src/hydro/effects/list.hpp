@@ -6,6 +6,7 @@
 #include "hydro/effects/closed_room.hpp"
 #include "hydro/effects/density_diffusion.hpp"
 #include "hydro/effects/density_form.hpp"
+#include "hydro/effects/density_tie.hpp"
 #include "hydro/effects/pressure.hpp"
 #include "hydro/effects/shepard_filter.hpp"
 #include "hydro/effects/thermal_noise.hpp"
@@ -22,6 +23,7 @@ struct Effects {
   DiffusionSlot density_diffusion;
   std::optional<ShepardFilter<D>> shepard_filter;
   std::optional<ClosedRoom<D>> closed_room;
+  std::optional<DensityTie<D>> density_tie;
   Slot<TransportVelocity<D>> transport_velocity;
   Slot<Viscosity<D>> viscosity;                          // explicit, or
   std::optional<ImplicitFriction<D>> implicit_friction;  // in its place

@@ -80,6 +80,10 @@ void WallFit<D>::prepare(State<D>& state, const sph::Surface<D>& surface, bool c
     (*normal_)[i] = point->normal;
     (*depth_)[i] = (point->place - particles.position[i]).dot(point->normal);
     (*curvature_)[i] = point->curvature;
+    if (point->axis != Vec::Zero()) {
+      if (!axis_) axis_ = &particles.template require<Vec>("wall_axis", "1");
+      (*axis_)[i] = point->axis;
+    }
   }
 }
 
@@ -144,19 +148,21 @@ typename WallFit<D>::Sums WallFit<D>::moments(const State<D>& state, const WallM
   const double reach = state.reach(foot_of.solids.front()), scale = 1.0 / reach, stretch = state.scales.reach / reach;
   const auto& position = state.particles.position.values();
   const SurfaceSpeeds<D> wall(motion, state.particles.material[foot_of.solids.front()], point.place, t);
-  Lane normal[D], distances[3]{}, dv[D]{}, d2v[D]{}, largest2{};
+  Lane normal[D], axis[D], distances[3]{}, dv[D]{}, d2v[D]{}, largest2{};
   for (int a = 0; a < D; ++a) normal[a] = same(point.normal[a]);
+  for (int a = 0; a < D; ++a) axis[a] = same(point.axis[a]);
   by_eights(foot_of.around.data(), foot_of.around.size(), [&](const Eight& eight, std::size_t) {
     Lane from[D], v[D], out[D];  // from the foot; relative velocity; the surface's normal below the particle
     const Lane r2 = separations<D>(point.place, eight, position, state.rows.axes(), from);
+    for (int a = 0; a < D; ++a) from[a] = -from[a];
+    const Lane along = dot<D>(from, axis);
     Lane steep2{};
     for (int a = 0; a < D; ++a) {
-      from[a] = -from[a];
-      out[a] = normal[a] + point.curvature * from[a];
+      out[a] = normal[a] + point.curvature * (from[a] - along * axis[a]);
       steep2 = fma(out[a], out[a], steep2);
     }
     const Lane inverse = inverse_root(steep2), steep = steep2 * inverse;
-    const Lane d = (2.0 * dot<D>(from, normal) + point.curvature * r2) / (1.0 + steep);
+    const Lane d = (2.0 * dot<D>(from, normal) + point.curvature * (r2 - along * along)) / (1.0 + steep);
     const Lane W = d > 0.0 ? Lane(eight.live * kernel.W(Lane(stretch * (r2 * inverse_root(r2))))) : Lane{};
     eight.of<D>(state.velocity.values(), v);
     for (int a = 0; a < D; ++a) {
@@ -200,13 +206,13 @@ void WallFit<D>::apply(State<D>& state, const WallMotion<D>& motion, const sph::
           const std::uint32_t any = feet_[f].solids.front();
           const auto material = state.particles.material[any];
           if (motion.strains(material)) continue;
-          const sph::SurfacePoint<D> point{foot(state, any), (*normal_)[any], (*curvature_)[any]};
-          const Sums sums = moments(state, motion, kernel, t, feet_[f], point);
+          const auto place = point(state, any);
+          const Sums sums = moments(state, motion, kernel, t, feet_[f], place);
           if (!(sums.d2 > 0.0)) continue;
           const double reach = state.reach(any), scale = 1.0 / reach, share = trust(state, reach, sums);
           for (const std::uint32_t i : feet_[f].solids)
             state.velocity[i] +=
-                share * (sums.behind(scale * (*depth_)[i], point.normal) + sums.wall - state.velocity[i]);
+                share * (sums.behind(scale * (*depth_)[i], place.normal) + sums.wall - state.velocity[i]);
         }
       },
       any_kernel);

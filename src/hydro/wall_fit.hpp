@@ -26,6 +26,7 @@ class WallFit {
   // Turns what belongs to particle i along with a wall that has moved for dt [s].
   void turn(const WallMotion<D>& motion, std::size_t material, std::size_t i, double dt) {
     (*normal_)[i] = motion.turn(material, (*normal_)[i], dt);
+    if (axis_) (*axis_)[i] = motion.turn(material, (*axis_)[i], dt);
   }
   // Turns the mirrored velocities [m/s] that solids have at time t into fitted ones; leaves alone those about whose
   // foot there is too little fluid.
@@ -40,6 +41,9 @@ class WallFit {
 
   double trust(const State<D>& state, double reach, const Sums& sums) const;
   bool fits(std::size_t i) const { return (*normal_)[i] != Vec::Zero(); }
+  sph::SurfacePoint<D> point(const State<D>& state, std::size_t i) const {
+    return {foot(state, i), (*normal_)[i], (*curvature_)[i], axis_ ? (*axis_)[i] : Vec(Vec::Zero())};
+  }
   Vec foot(const State<D>& state, std::size_t i) const {
     return state.particles.position[i] + (*depth_)[i] * (*normal_)[i];
   }
@@ -54,6 +58,7 @@ class WallFit {
   sph::Column<Vec>* normal_ = nullptr;        // of the surface at the foot, into the fluid; 0 without a foot
   sph::Column<double>* depth_ = nullptr;      // [m] from the foot
   sph::Column<double>* curvature_ = nullptr;  // [1/m], see sph::SurfacePoint
+  sph::Column<Vec>* axis_ = nullptr;          // likewise, where there are cylinders or cones
   bool limited_ = false;                      // by the fluid's speed
   std::vector<Foot> feet_;
   std::vector<Vec> near_;       // [m] where the fluid near walls is

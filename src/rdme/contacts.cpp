@@ -65,6 +65,7 @@ class Contacts {
     const auto foot = surface.nearest_from_fluid(position[i], around_.reach());
     if (!foot || surface.material_at(foot->place - 1e-3 * least_ * foot->normal) != int(boundary) - 6) return;
     if (!surface.smooth_about(*foot, around_.reach())) return;
+    if (foot->curvature * around_.reach() <= -1.0) return;  // a hollow's centre, where harmonic() has no end, is near
     const auto height = [&](std::size_t j) {
       return foot->harmonic(foot->distance(around_.box.nearest(position[j] - foot->place)));
     };

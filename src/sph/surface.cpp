@@ -45,10 +45,8 @@ template <int D>
 double SurfacePoint<D>::harmonic(double distance) const {
   if (curvature == 0.0 || D == 1) return distance;
   const double part = curvature * distance;
-  if constexpr (D == 2)
-    return std::log1p(part) / curvature;
-  else
-    return distance / (1.0 + part);
+  if (D == 2 || axis != Vec::Zero()) return std::log1p(part) / curvature;
+  return distance / (1.0 + part);
 }
 
 template <int D>

@@ -1,7 +1,7 @@
 #pragma once
 // Where fluid, or a set of materials, ends: the surface that the regions and the sides of a scene leave between it and
-// all else. Every smooth piece of it is plane or spherical, so a point of it knows by its normal and its curvature the
-// distances all around.
+// all else. Every smooth piece of it is plane, spherical or, about a point, a cylinder, so a point of it knows by its
+// normal, its curvature and the axis along which it is straight the distances all around.
 #include <optional>
 #include <vector>
 
@@ -14,16 +14,19 @@ template <int D>
 struct SurfacePoint {
   using Vec = base::Vec<D>;
 
-  Vec place;             // [m]
-  Vec normal;            // out of the solid, into the fluid
-  double curvature = 0;  // [1/m] 1/radius where the solid is inside the sphere, -1/radius where the fluid is
+  Vec place;   // [m]
+  Vec normal;  // out of the solid, into the fluid
+  double curvature =
+      0;  // [1/m] 1/radius where the solid is inside the sphere or cylinder, -1/radius where the fluid is
+  Vec axis = Vec::Zero();  // unit vector along which a cylinder or cone goes on straight; 0: a plane or sphere
 
-  // Of the piece's plane or sphere at a point `from` [m] away from here: the signed distance [m], and the normal there.
+  // Of the piece's plane, sphere or cylinder at a point `from` [m] away from here: the signed distance [m], and the
+  // normal there.
   double distance(const Vec& from) const {
-    const Vec turned = normal + curvature * from;
-    return (2.0 * from.dot(normal) + curvature * from.squaredNorm()) / (1.0 + turned.norm());
+    const Vec across = from - from.dot(axis) * axis, turned = normal + curvature * across;
+    return (2.0 * from.dot(normal) + curvature * across.squaredNorm()) / (1.0 + turned.norm());
   }
-  Vec normal_at(const Vec& from) const { return (normal + curvature * from).normalized(); }
+  Vec normal_at(const Vec& from) const { return (normal + curvature * (from - from.dot(axis) * axis)).normalized(); }
   // At such a distance, the solution of Laplace's equation that is 0 on the piece and rises there by 1 per length: the
   // distance itself at a plane, r ln(1 + d/r) at a cylinder, d/(1 + d/r) at a ball.
   double harmonic(double distance) const;

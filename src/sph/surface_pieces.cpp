@@ -67,7 +67,7 @@ struct EachFoot {
     }
   }
 
-  // In 3-D turned about the x axis. Its pieces are cones, shown by planes that touch them.
+  // In 3-D turned about the x axis. Its pieces are cones, shown by cylinders that touch them along a line, and discs.
   void operator()(const scene::PolygonShape& polygon) const {
     if constexpr (D == 2)
       feet_on_edges(polygon, x, false, [&](const Vec<2>& foot, const Vec<2>& normal) { offer({foot, normal, 0.0}); });
@@ -75,7 +75,13 @@ struct EachFoot {
       const double r = std::hypot(x[1], x[2]);
       const Vec<3> out = r > 0.0 ? Vec<3>(0.0, x[1] / r, x[2] / r) : Vec<3>(Vec<3>::UnitY());
       feet_on_edges(polygon, {x[0], r}, true, [&](const Vec<2>& foot, const Vec<2>& normal) {
-        offer({foot[0] * Vec<3>::UnitX() + foot[1] * out, normal[0] * Vec<3>::UnitX() + normal[1] * out, 0.0});
+        const auto in_space = [&](double along, double away) { return Vec<3>(along * Vec<3>::UnitX() + away * out); };
+        SurfacePoint<3> point{in_space(foot[0], foot[1]), in_space(normal[0], normal[1])};
+        if (normal[1] != 0.0 && foot[1] > 0.0) {
+          point.curvature = normal[1] / foot[1];
+          point.axis = in_space(normal[1], -normal[0]);
+        }
+        offer(point);
       });
     }
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The plane and spherical pieces of which the boundary of a shape is made.
+// The plane, spherical, cylindrical and conical pieces of which the boundary of a shape is made.
 #include <functional>
 
 #include "scene/scene.hpp"

@@ -123,11 +123,15 @@ TEST(Surface, RevolvedOutlinesShowTheirCones) {
     ASSERT_TRUE(pipe);
     EXPECT_NEAR((pipe->place - turned({2.0, 1.0})).norm(), 0.0, 1e-13);
     EXPECT_NEAR((pipe->normal - turned({0.0, -1.0})).norm(), 0.0, 1e-13);
+    EXPECT_NEAR(pipe->curvature, -1.0, 1e-13);
+    EXPECT_NEAR(pipe->distance(Vec<3>(3.5, 0.7, 0.0) - pipe->place), 0.3, 1e-13);  // all along and round the pipe
     const Vec<2> foot = Vec<2>(5, 1) + 3.0 * along;
     const auto cone = surface.nearest(turned(foot - 0.5 * n), 2.0);
     ASSERT_TRUE(cone);
     EXPECT_NEAR((cone->place - turned(foot)).norm(), 0.0, 1e-13);
     EXPECT_NEAR((cone->normal - turned(n)).norm(), 0.0, 1e-13);
+    EXPECT_NEAR(cone->curvature, -along[0] / foot[1], 1e-13);
+    EXPECT_NEAR(cone->distance(turned(foot - 0.5 * n + 0.3 * along) - cone->place), -0.5, 1e-13);
   }
 }
 

@@ -6,7 +6,13 @@ target_compile_options(shmoo_flags INTERFACE
   -Wno-maybe-uninitialized -Wno-restrict)  # false alarms of g++ 12 in aggregates and strings
 if(SHMOO_ARCH)
   target_compile_options(shmoo_flags INTERFACE -march=${SHMOO_ARCH})
-else()  # vectors wider than the processor's registers: none crosses the border of a library
+  set(CMAKE_REQUIRED_FLAGS -march=${SHMOO_ARCH})
+endif()
+include(CheckCXXSourceCompiles)
+string(MAKE_C_IDENTIFIER "SHMOO_WIDE_REGISTERS_${SHMOO_ARCH}" wide)
+check_cxx_source_compiles("#ifndef __AVX512F__\n#error narrow\n#endif\nint main() {}" ${wide})
+unset(CMAKE_REQUIRED_FLAGS)
+if(NOT ${wide})  # our vectors are wider than the processor's registers; none crosses the border of a library
   target_compile_options(shmoo_flags INTERFACE -Wno-psabi)
 endif()
 if(SHMOO_SANITIZE)

@@ -60,12 +60,19 @@ void show(const char* method, const std::string& work, const Speed& speed) {
 
 Voxels cube(std::uint32_t n, std::size_t species) { return lattice({n, n, n}, true, 1.0, species); }
 
+class SpeedOf : public testing::TestWithParam<std::uint32_t> {};
+
+// What one event costs as the lattice grows, and why: valgrind --tool=cachegrind long_rdme
+// --gtest_filter='*SpeedOf.DiffusionAlone/100', built for a processor that valgrind knows (SHMOO_ARCH=x86-64-v3).
+TEST_P(SpeedOf, DiffusionAlone) {
+  show("composition_rejection", fmt::format("D3-{}", GetParam()),
+       measure(scene::Sampler::composition_rejection, diffusion_scene(), cube(GetParam(), 1), 10, 1.0, 2e7));
+}
+
+INSTANTIATE_TEST_SUITE_P(Voxels, SpeedOf, testing::Values(10U, 30U, 60U, 100U), testing::PrintToStringParamName());
+
 TEST(Speed, CompositionRejection) {
   const auto method = scene::Sampler::composition_rejection;
-  for (std::uint32_t n : {10U, 30U, 60U}) {
-    show("composition_rejection", fmt::format("D3-{}", n),
-         measure(method, diffusion_scene(), cube(n, 1), 10, 1.0, 2e7));
-  }
   for (std::uint32_t n : {10U, 30U}) {
     show("composition_rejection", fmt::format("RD-{}", n), measure(method, reaction_scene(), cube(n, 3), 10, 1.0, 1e7));
   }

@@ -66,7 +66,9 @@ template <int D>
 std::optional<DensityTie<D>> DensityTie<D>::choose(const scene::Scene& scene, const Scales<D>& scales) {
   const bool between = has_walls_inside(scene) || scene::has_open_sides(scene);
   const bool still = !scene::has_solids(scene) && !WallMotion<D>(scene).any_moves();
-  if (!scene.effects.transport_velocity || scales.shocks || scene::refined(scene) || !between || !still)
+  // In 2-D no stream was seen to run empty, and walls cut from the lattice shake what is tied to them: the torque between
+  // cylinders ten particles apart was wrong by 3 % in place of 0.1 %.
+  if (D == 2 || !scene.effects.transport_velocity || scales.shocks || scene::refined(scene) || !between || !still)
     return std::nullopt;
   return DensityTie{rate * scales.speed / scales.smoothing};
 }
